@@ -1,0 +1,30 @@
+.PHONY: run test bench lint setup
+
+PY := .venv/bin/python
+QOVR := .venv/bin/qovr
+
+setup:
+	@.ci/setup
+
+# With a display: the editor. Without one: the paper's job, into build/.
+run: setup
+	@if [ -n "$$DISPLAY$$WAYLAND_DISPLAY" ] || [ "$$(uname -s)" = Darwin ]; then $(QOVR); else $(MAKE) --no-print-directory headless; fi
+
+.PHONY: headless
+headless:
+	@mkdir -p build
+	$(QOVR) export paper:fig5 build/fig5.xlsx build/fig5.csv build/fig5.npz build/fig5.qovr
+	$(QOVR) reproduce build/fig5.xlsx
+	$(QOVR) figures build/figures
+	@echo "build/fig5.xlsx is the paper's data, build/figures holds its figures."
+
+test: setup
+	@$(PY) -m pytest
+
+bench: setup
+	@$(PY) -m pytest tests/benchmarks
+
+lint: setup
+	@$(PY) -m ruff check .
+	@$(PY) -m ruff format --check .
+	@$(PY) -m mypy

@@ -1,0 +1,1 @@
+"""The editor of QOVR Studio. Importing this package loads no Qt."""

@@ -1,0 +1,31 @@
+"""Quartic Overhauser (QOVR) surfaces: documents, their exact patches, and the paper's pipeline.
+
+``configure(document)`` runs the whole pipeline. Importing this package loads NumPy and nothing else;
+files, figures and the command line live in ``qovr_core.files``, ``qovr_core.figures`` and ``qovr_core.cli``.
+"""
+
+from qovr_core.document import Document, Formulation
+from qovr_core.errors import DocumentError, EvaluationError, FileError, QovrError, SourceError
+from qovr_core.formulations import CurveNetwork, build_patch, curve_network
+from qovr_core.knots import Knots
+from qovr_core.patch import Curvature, Edge, Patch
+from qovr_core.pipeline import Surface, configure
+
+__all__ = [
+    "Curvature",
+    "CurveNetwork",
+    "Document",
+    "DocumentError",
+    "Edge",
+    "EvaluationError",
+    "FileError",
+    "Formulation",
+    "Knots",
+    "Patch",
+    "QovrError",
+    "SourceError",
+    "Surface",
+    "build_patch",
+    "configure",
+    "curve_network",
+]

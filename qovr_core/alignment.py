@@ -1,0 +1,60 @@
+"""Bounding boxes and the transformation that brings a raw surface onto its control net, eqs. (61)-(65)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from qovr_core.arrays import Array, read_only
+
+FLAT_TOLERANCE = 1e-12
+"""An extent below this part of the largest coordinate is rounding: the axis counts as flat."""
+
+
+@dataclass(frozen=True)
+class Alignment:
+    """The transformation T and what it met.
+
+    Parameters
+    ----------
+    matrix : (4, 4) float64, acts on columns [x y z 1]
+    flat_axes : the axes, of ``"x"``, ``"y"``, ``"z"``, along which the raw surface has no extent; there T only
+        moves (m = 1), because no scale is defined
+    """
+
+    matrix: Array
+    flat_axes: tuple[str, ...]
+
+
+def bounding_box(points: Array) -> Array:
+    """Return the box of points.
+
+    Parameters
+    ----------
+    points : (..., 3)
+
+    Returns
+    -------
+    (3, 2) float64, columns min and max
+    """
+    flat = points.reshape(-1, 3)
+    return read_only(np.stack([flat.min(axis=0), flat.max(axis=0)], axis=1))
+
+
+def align(raw_box: Array, control_box: Array) -> Alignment:
+    """Return the transformation that maps one box onto the other axis by axis, eqs. (61)-(65).
+
+    Parameters
+    ----------
+    raw_box : (3, 2) box of the sampled raw surface, columns min and max
+    control_box : (3, 2) box of the control points
+    """
+    raw_extent = raw_box[:, 1] - raw_box[:, 0]
+    control_extent = control_box[:, 1] - control_box[:, 0]
+    is_flat = raw_extent <= FLAT_TOLERANCE * np.abs(raw_box).max(axis=1)
+    scale = np.where(is_flat, 1.0, control_extent / np.where(is_flat, 1.0, raw_extent))
+    matrix = np.diag([*scale, 1.0])
+    matrix[:3, 3] = control_box[:, 0] - scale * raw_box[:, 0]
+    flat_axes = tuple(axis for axis, flat in zip("xyz", is_flat, strict=True) if flat)
+    return Alignment(read_only(matrix), flat_axes)

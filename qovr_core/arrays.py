@@ -1,0 +1,16 @@
+"""The array type of the package and the one way to hand an array out."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[np.float64]
+
+
+def read_only(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """Return the array itself, locked against writing."""
+    array.setflags(write=False)
+    return array

@@ -1,0 +1,91 @@
+"""Polynomials in Bernstein form, eq. (3): bases, products, degree elevation, differences, halving."""
+
+from __future__ import annotations
+
+from functools import cache
+from math import comb
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.arrays import Array, read_only
+
+
+@cache
+def binomials(degree: int) -> Array:
+    """Return the binomial coefficients of a degree, (degree + 1,) float64."""
+    return read_only(np.array([comb(degree, k) for k in range(degree + 1)], dtype=np.float64))
+
+
+def basis(degree: int, parameters: npt.ArrayLike) -> Array:
+    """Return the Bernstein polynomials B_{k,degree} of (3) at parameters.
+
+    Parameters
+    ----------
+    degree : 0 or more
+    parameters : (n,) any real numbers; the patch's domain is [0, 1]
+
+    Returns
+    -------
+    (n, degree + 1) float64; each row sums to 1, and is exact at 0 and 1
+
+    Raises
+    ------
+    ValueError : the parameters are not one-dimensional
+    """
+    x = np.asarray(parameters, dtype=np.float64)
+    if x.ndim != 1:
+        raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
+    powers = np.empty((2, degree + 1, x.size))
+    powers[:, 0] = 1
+    for k in range(degree):
+        np.multiply(powers[0, k], x, out=powers[0, k + 1])
+        np.multiply(powers[1, k], 1 - x, out=powers[1, k + 1])
+    values: Array = powers[0] * powers[1, ::-1] * binomials(degree)[:, None]
+    return values.T
+
+
+@cache
+def _product_tensor(degree_a: int, degree_b: int) -> Array:
+    tensor = np.zeros((degree_a + degree_b + 1, degree_a + 1, degree_b + 1))
+    for i in range(degree_a + 1):
+        for j in range(degree_b + 1):
+            tensor[i + j, i, j] = comb(degree_a, i) * comb(degree_b, j) / comb(degree_a + degree_b, i + j)
+    return read_only(tensor)
+
+
+def product(a: Array, b: Array) -> Array:
+    """Return the product of polynomials given by their Bernstein coefficients in the last axis.
+
+    Parameters
+    ----------
+    a : (..., p + 1)
+    b : (..., q + 1), its leading axes broadcastable with those of ``a``
+
+    Returns
+    -------
+    (..., p + q + 1) float64
+    """
+    result: Array = np.einsum("kij,...i,...j->...k", _product_tensor(a.shape[-1] - 1, b.shape[-1] - 1), a, b)
+    return result
+
+
+@cache
+def elevation(degree: int, to_degree: int) -> Array:
+    """Return the matrix (to_degree + 1, degree + 1) that raises Bernstein coefficients to a higher degree."""
+    return read_only(_product_tensor(degree, to_degree - degree).sum(axis=2))
+
+
+def derivative(coefficients: Array, axis: int) -> Array:
+    """Return the Bernstein coefficients of the derivative along an axis, one degree lower."""
+    degree = coefficients.shape[axis] - 1
+    return degree * np.diff(coefficients, axis=axis)
+
+
+@cache
+def halving(degree: int) -> tuple[Array, Array]:
+    """Return the matrices (degree + 1, degree + 1) to the coefficients over [0, 1/2] and [1/2, 1] (de Casteljau)."""
+    left = np.zeros((degree + 1, degree + 1))
+    for k in range(degree + 1):
+        left[k, : k + 1] = binomials(k) / 2.0**k
+    return read_only(left), read_only(left[::-1, ::-1].copy())

@@ -1,0 +1,69 @@
+"""Checks of single values, shared by everything that makes a document."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from numbers import Integral, Real
+
+from qovr_core.errors import DocumentError
+
+LARGEST_MAGNITUDE = 1e12
+"""Beyond this a coordinate is taken for a mistake: products of two of them still keep 10 digits of slack."""
+
+SAMPLES_RANGE = (2, 4096)
+"""Fewest and most samples along one parameter."""
+
+_LONGEST_QUOTE = 60
+
+
+def described(value: object) -> str:
+    """Return a short one-line picture of any value, for an error's text."""
+    if isinstance(value, dict):
+        return f"an object of {len(value)} entries"
+    if isinstance(value, (list, tuple)):
+        return f"a list of {len(value)} entries"
+    if value is None:
+        return "empty"
+    try:
+        text = repr(value.item() if hasattr(value, "item") else value)
+    except ValueError:  # an integer with more digits than Python agrees to print
+        return "an absurdly long number"
+    return text if len(text) <= _LONGEST_QUOTE else text[:_LONGEST_QUOTE] + "..."
+
+
+def checked_number(value: object, place: str) -> float:
+    """Return a coordinate as float; a bool, a text, a non-finite or an absurd number raises DocumentError."""
+    expected = f"a finite number of magnitude at most {LARGEST_MAGNITUDE:g}"
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise DocumentError(place, described(value), expected)
+    if not abs(value) <= LARGEST_MAGNITUDE:
+        raise DocumentError(place, described(value), expected)
+    return float(value)
+
+
+def checked_knot(value: object, place: str) -> float:
+    """Return an internal knot as float; anything not strictly between 0 and 1 raises DocumentError."""
+    expected = "a number strictly between 0 and 1"
+    if isinstance(value, bool) or not isinstance(value, Real) or not 0 < value < 1:
+        raise DocumentError(place, described(value), expected)
+    knot = float(value)
+    if not (0 < knot < 1 and math.isfinite(1 / knot)):
+        raise DocumentError(place, described(value), expected)
+    return knot
+
+
+def checked_samples(value: object, place: str) -> int:
+    """Return a sample count as int; anything but a whole number in SAMPLES_RANGE raises DocumentError."""
+    fewest, most = SAMPLES_RANGE
+    if isinstance(value, bool) or not isinstance(value, Integral) or not fewest <= value <= most:
+        raise DocumentError(place, described(value), f"a whole number from {fewest} to {most}")
+    return int(value)
+
+
+def checked_choice(value: object, place: str, choices: Iterable[str]) -> str:
+    """Return one of the choices; anything else raises DocumentError."""
+    choices = list(choices)
+    if not isinstance(value, str) or value not in choices:
+        raise DocumentError(place, described(value), "one of " + ", ".join(choices))
+    return value

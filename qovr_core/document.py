@@ -1,0 +1,131 @@
+"""The immutable document: everything that defines one QOVR surface."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.arrays import Array, read_only
+from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples, described
+from qovr_core.errors import DocumentError
+from qovr_core.knots import Knots
+
+NET_SIZE = 5
+"""Rows and columns of the control net."""
+
+
+class Formulation(StrEnum):
+    """How the ten curves become one surface."""
+
+    PUBLISHED = "published"
+    DOUBLE_SUM = "double-sum"
+    INTERPOLATING = "interpolating"
+
+
+@dataclass(frozen=True, eq=False)
+class Document:
+    """The inputs of one surface; never changed, only replaced (``qovr_core.edits``).
+
+    Parameters
+    ----------
+    control_points : (5, 5, 3), ``[i, j]`` is P_{i,j} in row i and column j; kept as read-only float64
+    row_knots : the knots of C_0..C_4, which run along the rows
+    column_knots : the knots of K_0..K_4, which run along the columns; their ``u`` is v_ip
+    formulation : a Formulation or its name
+    samples : number of samples along u and along v, each from 2 to 4096
+
+    Raises
+    ------
+    DocumentError : a value is out of its range, not finite, or of the wrong shape; it names the place
+    """
+
+    control_points: Array
+    row_knots: tuple[Knots, ...] = (Knots(),) * NET_SIZE
+    column_knots: tuple[Knots, ...] = (Knots(),) * NET_SIZE
+    formulation: Formulation = Formulation.PUBLISHED
+    samples: tuple[int, int] = (101, 101)
+
+    def __post_init__(self) -> None:
+        replace = object.__setattr__
+        replace(self, "control_points", _checked_net(self.control_points))
+        replace(self, "row_knots", _checked_curves(self.row_knots, "row_knots"))
+        replace(self, "column_knots", _checked_curves(self.column_knots, "column_knots"))
+        replace(
+            self, "formulation", Formulation(checked_choice(self.formulation, "formulation", Formulation))
+        )
+        replace(self, "samples", _checked_counts(self.samples))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Document):
+            return NotImplemented
+        return self._key() == other._key()
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def _key(self) -> tuple[object, ...]:
+        return (
+            tuple(self.control_points.ravel().tolist()),
+            self.row_knots,
+            self.column_knots,
+            self.formulation,
+            self.samples,
+        )
+
+
+def _checked_net(points: npt.ArrayLike) -> Array:
+    shape = (NET_SIZE, NET_SIZE, 3)
+    if isinstance(points, np.ndarray) and points.dtype == np.float64 and points.shape == shape:
+        net = points
+    else:
+        net = _net_of_numbers(points)
+    for i, j, k in np.argwhere(~(np.abs(net) <= LARGEST_MAGNITUDE)):
+        checked_number(net[i, j, k].item(), f"control_points[{i}][{j}][{k}]")
+    return read_only(net.copy())
+
+
+def _net_of_numbers(points: Any) -> Array:
+    rows = _entries(points, "control_points", NET_SIZE)
+    return np.array(
+        [
+            [
+                [
+                    checked_number(value, f"control_points[{i}][{j}][{k}]")
+                    for k, value in enumerate(_entries(point, f"control_points[{i}][{j}]", 3))
+                ]
+                for j, point in enumerate(_entries(row, f"control_points[{i}]", NET_SIZE))
+            ]
+            for i, row in enumerate(rows)
+        ]
+    )
+
+
+def _entries(value: object, place: str, count: int) -> Sequence[Any]:
+    """Return a list of exactly ``count`` entries or raise DocumentError."""
+    expected = f"a list of {count} entries"
+    if isinstance(value, np.ndarray):
+        value = list(value)
+    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
+        raise DocumentError(place, described(value), expected)
+    entries = list(value)
+    if len(entries) != count:
+        raise DocumentError(place, described(entries), expected)
+    return entries
+
+
+def _checked_curves(curves: object, place: str) -> tuple[Knots, ...]:
+    entries = _entries(curves, place, NET_SIZE)
+    for k, knots in enumerate(entries):
+        if not isinstance(knots, Knots):
+            raise DocumentError(f"{place}[{k}]", described(knots), "a Knots object")
+    return tuple(entries)
+
+
+def _checked_counts(samples: object) -> tuple[int, int]:
+    n, m = _entries(samples, "samples", 2)
+    return checked_samples(n, "samples[0]"), checked_samples(m, "samples[1]")

@@ -1,0 +1,204 @@
+"""The exact patch: one tensor-product polynomial that everything else asks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core import bernstein, extent, grid
+from qovr_core.arrays import Array, read_only
+
+PATCH_DEGREE = 6
+"""Degree each way in which every patch is held, whatever its true degree."""
+
+_SINGULAR = 1e-12
+"""|S_u x S_v| below this part of the largest possible one is rounding, so the normal is taken from its neighbourhood."""
+
+_NO_DIRECTION = np.array([0.0, 0.0, 1.0])
+
+
+class Edge(StrEnum):
+    """The four edges of a patch."""
+
+    U0 = "u=0"
+    U1 = "u=1"
+    V0 = "v=0"
+    V1 = "v=1"
+
+
+@dataclass(frozen=True)
+class Curvature:
+    """Gaussian and mean curvature on a grid, each (n, m) float64; NaN where the tangents are dependent."""
+
+    gaussian: Array
+    mean: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """A polynomial patch S(u, v) over [0, 1] x [0, 1] in Bernstein form.
+
+    Parameters
+    ----------
+    coefficients : (7, 7, 3) float64, u along the first axis; kept read-only
+    degree : true degree in u and in v, each 4 or 6
+
+    Raises
+    ------
+    ValueError : the coefficients have another shape
+    """
+
+    coefficients: Array
+    degree: tuple[int, int] = (PATCH_DEGREE, PATCH_DEGREE)
+
+    def __post_init__(self) -> None:
+        coefficients = np.array(self.coefficients, dtype=np.float64)
+        if coefficients.shape != (PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3):
+            raise ValueError(f"patch coefficients have shape {coefficients.shape}; expected (7, 7, 3)")
+        object.__setattr__(self, "coefficients", read_only(coefficients))
+
+    def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the points S(u, v) on a grid.
+
+        Parameters
+        ----------
+        u : (n,) parameters along u; the patch's domain is [0, 1], beyond it the polynomial goes on
+        v : (m,) parameters along v
+
+        Returns
+        -------
+        (n, m, 3) float64, read-only, indexed [iu, iv]
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional
+        """
+        return self.derivative(u, v, 0, 0)
+
+    def points_and_box(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
+        """Return the points as ``points`` does and the box of these samples, (3, 2) with columns min and max."""
+        basis_u, basis_v = bernstein.basis(PATCH_DEGREE, u), bernstein.basis(PATCH_DEGREE, v)
+        points, box = grid.evaluate_with_box(self.coefficients, basis_u, basis_v)
+        return read_only(points), read_only(box)
+
+    def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative of S on a grid.
+
+        Parameters
+        ----------
+        u, v : (n,) and (m,) parameters
+        order_u, order_v : order of the derivative in u and in v, each 0 to 6
+
+        Returns
+        -------
+        (n, m, 3) float64, read-only, indexed [iu, iv]
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
+        """
+        if not (0 <= order_u <= PATCH_DEGREE and 0 <= order_v <= PATCH_DEGREE):
+            raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 to {PATCH_DEGREE}")
+        coefficients = self.coefficients
+        for _ in range(order_u):
+            coefficients = bernstein.derivative(coefficients, 0)
+        for _ in range(order_v):
+            coefficients = bernstein.derivative(coefficients, 1)
+        basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
+        basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
+        return read_only(grid.evaluate(coefficients, basis_u, basis_v))
+
+    def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the unit normals along S_u x S_v on a grid.
+
+        Where the tangents are dependent, as on an edge drawn together into a point, the normal is its limit on
+        the way to the patch's centre; where there is no such limit of first order either, it is (0, 0, 1).
+
+        Parameters
+        ----------
+        u, v : (n,) and (m,) parameters
+
+        Returns
+        -------
+        (n, m, 3) float64, read-only, every vector of length 1
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional
+        """
+        normals = np.cross(self.derivative(u, v, 1, 0), self.derivative(u, v, 0, 1))
+        lengths = np.linalg.norm(normals, axis=-1)
+        singular = lengths <= self._rounding_of_a_normal()
+        if singular.any():
+            inward = self._normals_inward(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
+            normals[singular] = inward[singular]
+            lengths[singular] = 1
+        normals /= lengths[..., None]
+        return read_only(normals)
+
+    def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
+        """Return Gaussian and mean curvature on a grid, from the two fundamental forms.
+
+        The sign of the mean curvature belongs to the normal S_u x S_v: it is positive where the surface bends
+        toward that normal.
+
+        Parameters
+        ----------
+        u, v : (n,) and (m,) parameters
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional
+        """
+        su, sv = self.derivative(u, v, 1, 0), self.derivative(u, v, 0, 1)
+        normal = np.cross(su, sv)
+        length = np.linalg.norm(normal, axis=-1)
+        length[length <= self._rounding_of_a_normal()] = np.nan
+        first = [np.einsum("...k,...k", a, b) for a, b in ((su, su), (su, sv), (sv, sv))]
+        second = [
+            np.einsum("...k,...k", self.derivative(u, v, *orders), normal) / length
+            for orders in ((2, 0), (1, 1), (0, 2))
+        ]
+        (e, f, g), (l, m, n) = first, second
+        area = length**2
+        gaussian = (l * n - m * m) / area
+        mean = (e * n - 2 * f * m + g * l) / (2 * area)
+        return Curvature(read_only(gaussian), read_only(mean))
+
+    def edge(self, edge: Edge) -> Array:
+        """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
+        picked = {Edge.U0: np.s_[0], Edge.U1: np.s_[-1], Edge.V0: np.s_[:, 0], Edge.V1: np.s_[:, -1]}[
+            Edge(edge)
+        ]
+        return read_only(self.coefficients[picked])
+
+    def bounding_box(self) -> Array:
+        """Return the exact box over [0, 1] x [0, 1], (3, 2) float64 with columns min and max."""
+        return read_only(extent.bounding_box(self.coefficients))
+
+    def transformed(self, matrix: npt.ArrayLike) -> Patch:
+        """Return the patch mapped by a (4, 4) affine matrix that acts on columns [x y z 1], eq. (62)."""
+        m = np.asarray(matrix, dtype=np.float64)
+        return Patch(self.coefficients @ m[:3, :3].T + m[:3, 3], self.degree)
+
+    def _rounding_of_a_normal(self) -> float:
+        """Return the length below which S_u x S_v is no more than rounding."""
+        tangents = (np.abs(bernstein.derivative(self.coefficients, axis)).max() for axis in (0, 1))
+        return float(_SINGULAR * np.prod(list(tangents)))
+
+    def _normals_inward(self, u: Array, v: Array) -> Array:
+        """Return unit derivatives of S_u x S_v toward the centre of the domain, (0, 0, 1) where they vanish too."""
+        su, sv = self.derivative(u, v, 1, 0), self.derivative(u, v, 0, 1)
+        suu, suv, svv = (self.derivative(u, v, *orders) for orders in ((2, 0), (1, 1), (0, 2)))
+        to_u, to_v = (0.5 - u)[:, None, None], (0.5 - v)[None, :, None]
+        normals: Array = to_u * (np.cross(suu, sv) + np.cross(su, suv))
+        normals += to_v * (np.cross(suv, sv) + np.cross(su, svv))
+        lengths = np.linalg.norm(normals, axis=-1)
+        vanished = lengths <= self._rounding_of_a_normal()
+        normals[vanished] = _NO_DIRECTION
+        lengths[vanished] = 1
+        unit: Array = normals / lengths[..., None]
+        return unit

@@ -1,0 +1,75 @@
+"""The paper's cases and figures, read from the installed resources."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+
+from qovr_core.document import NET_SIZE, Document
+from qovr_core.errors import SourceError
+from qovr_core.knots import Knots
+
+
+@dataclass(frozen=True)
+class Preset:
+    """One of the paper's cases: its name, a short title and its document."""
+
+    name: str
+    title: str
+    document: Document
+
+
+@dataclass(frozen=True)
+class FigureCase:
+    """One of the paper's surface figures: whose document, which layer of it, and which camera."""
+
+    name: str
+    preset: Preset
+    layer: str
+    camera: str
+
+
+@cache
+def _table() -> dict[str, Any]:
+    return tomllib.loads(files("qovr_resources").joinpath("presets.toml").read_text(encoding="utf-8"))
+
+
+@cache
+def presets() -> dict[str, Preset]:
+    """Return every preset by name, in the paper's order."""
+    table = _table()
+    x, y = np.meshgrid(np.arange(NET_SIZE), np.arange(NET_SIZE))
+    result = {}
+    for name, entry in table["presets"].items():
+        curves = (Knots(**entry["knots"]),) * NET_SIZE
+        net = np.stack([x, y, np.array(table["nets"][entry["net"]]["z"])], axis=-1)
+        result[name] = Preset(name, entry["title"], Document(net, curves, curves))
+    return result
+
+
+@cache
+def figure_cases() -> dict[str, FigureCase]:
+    """Return every surface figure of the paper by name, in the paper's order."""
+    return {
+        name: FigureCase(name, preset(entry["preset"]), entry["layer"], entry["camera"])
+        for name, entry in _table()["figures"].items()
+    }
+
+
+def preset(name: str) -> Preset:
+    """Return a preset by name.
+
+    Raises
+    ------
+    SourceError : there is no such preset
+    """
+    try:
+        return presets()[name]
+    except KeyError:
+        known = ", ".join(presets())
+        raise SourceError(f"there is no preset '{name}'; expected one of {known}") from None

@@ -1,0 +1,71 @@
+"""The five blending weights of a QOVR curve, eqs. (5)-(7), (23)-(26)."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core import bernstein
+from qovr_core.arrays import Array
+from qovr_core.kernels import inverse_kernels
+
+CURVE_DEGREE = 6
+"""Degree in which every weight is held; the true degree is 4 where s_ip = u_ip."""
+
+_PARABOLAS = 3
+_BLEND = (
+    bernstein.binomials(2)[:, None]
+    * bernstein.binomials(4)
+    / np.array([bernstein.binomials(6)[p : p + 5] for p in range(_PARABOLAS)])
+)
+"""w_p is B_{p,2} itself, so w_p times coefficient k of degree 4 lands, scaled by this, on p + k of degree 6."""
+
+
+def transformations(knots: npt.ArrayLike) -> Array:
+    """Return the parameter transformations r(u), s(u), t(u) of (24)-(26) as Bernstein coefficients.
+
+    Parameters
+    ----------
+    knots : (..., 4) internal knots r, s, u, t, each in (0, 1)
+
+    Returns
+    -------
+    (..., 3, 3) float64; the second axis from the end is r, s, t, the last the coefficients of degree 2
+    """
+    r, s, u, t = np.moveaxis(np.asarray(knots, dtype=np.float64), -1, 0)
+    a = (s - u) / (u * u - u)
+    result = np.zeros((*np.shape(r), _PARABOLAS, 3))
+    result[..., 0, 0] = r
+    result[..., 0, 2] = r + (1 - r) / u
+    result[..., 1, 1] = (1 - a) / 2
+    result[..., 1, 2] = 1
+    result[..., 2, 0] = -t * u / (1 - u)
+    result[..., 2, 2] = t
+    result[..., ::2, 1] = (result[..., ::2, 0] + result[..., ::2, 2]) / 2
+    return result
+
+
+def weight_coefficients(knots: npt.ArrayLike, *, kernel_decimals: int | None = None) -> Array:
+    """Return the five blending weights of QOVR curves as Bernstein coefficients, eq. (23).
+
+    Parameters
+    ----------
+    knots : (..., 4) internal knots r, s, u, t of each curve, each in (0, 1)
+    kernel_decimals : truncate the inverse kernels (17), (21), (22) toward zero to this many
+        decimals, as the published workbooks do; None keeps them exact
+
+    Returns
+    -------
+    (..., 7, 5) float64; column j belongs to P_j. Rows of a degree-4 curve are its degree elevation to 6.
+    """
+    k = np.asarray(knots, dtype=np.float64)
+    x = transformations(k)
+    monomials = np.empty((*x.shape[:-1], 5, 3))
+    monomials[..., 0] = bernstein.product(x, x)
+    monomials[..., 1] = x @ bernstein.elevation(2, 4).T
+    monomials[..., 2] = 1
+    parabolas = monomials @ inverse_kernels(k[..., [0, 1, 3]], decimals=kernel_decimals)
+    weights = np.zeros((*k.shape[:-1], CURVE_DEGREE + 1, 5))
+    for p in range(_PARABOLAS):
+        weights[..., p : p + 5, p : p + 3] += _BLEND[p][:, None] * parabolas[..., p, :, :]
+    return weights
