@@ -19,8 +19,8 @@ class Alignment:
     Parameters
     ----------
     matrix : (4, 4) float64, acts on columns [x y z 1]
-    flat_axes : the axes, of ``"x"``, ``"y"``, ``"z"``, along which the raw surface has no extent; there T only
-        moves (m = 1), because no scale is defined
+    flat_axes : the axes, of ``"x"``, ``"y"``, ``"z"``, along which the raw surface has no extent; there T
+        only moves (m = 1), because no scale is defined
     """
 
     matrix: Array

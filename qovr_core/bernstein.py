@@ -50,7 +50,8 @@ def _product_tensor(degree_a: int, degree_b: int) -> Array:
     tensor = np.zeros((degree_a + degree_b + 1, degree_a + 1, degree_b + 1))
     for i in range(degree_a + 1):
         for j in range(degree_b + 1):
-            tensor[i + j, i, j] = comb(degree_a, i) * comb(degree_b, j) / comb(degree_a + degree_b, i + j)
+            tensor[i + j, i, j] = comb(degree_a, i) * comb(degree_b, j)
+    tensor /= binomials(degree_a + degree_b)[:, None, None]
     return read_only(tensor)
 
 
@@ -79,12 +80,13 @@ def elevation(degree: int, to_degree: int) -> Array:
 def derivative(coefficients: Array, axis: int) -> Array:
     """Return the Bernstein coefficients of the derivative along an axis, one degree lower."""
     degree = coefficients.shape[axis] - 1
-    return degree * np.diff(coefficients, axis=axis)
+    result: Array = degree * np.diff(coefficients, axis=axis)
+    return result
 
 
 @cache
 def halving(degree: int) -> tuple[Array, Array]:
-    """Return the matrices (degree + 1, degree + 1) to the coefficients over [0, 1/2] and [1/2, 1] (de Casteljau)."""
+    """Return the matrices (degree + 1, degree + 1) that restrict coefficients to [0, 1/2] and to [1/2, 1]."""
     left = np.zeros((degree + 1, degree + 1))
     for k in range(degree + 1):
         left[k, : k + 1] = binomials(k) / 2.0**k

@@ -2,19 +2,24 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable
-from numbers import Integral, Real
+from typing import TypeGuard
+
+import numpy as np
 
 from qovr_core.errors import DocumentError
 
 LARGEST_MAGNITUDE = 1e12
-"""Beyond this a coordinate is taken for a mistake: products of two of them still keep 10 digits of slack."""
+"""Beyond this a coordinate is taken for a mistake, not for a shape."""
 
 SAMPLES_RANGE = (2, 4096)
 """Fewest and most samples along one parameter."""
 
 _LONGEST_QUOTE = 60
+
+
+def _is_real(value: object) -> TypeGuard[float]:
+    return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
 
 
 def described(value: object) -> str:
@@ -35,9 +40,7 @@ def described(value: object) -> str:
 def checked_number(value: object, place: str) -> float:
     """Return a coordinate as float; a bool, a text, a non-finite or an absurd number raises DocumentError."""
     expected = f"a finite number of magnitude at most {LARGEST_MAGNITUDE:g}"
-    if isinstance(value, bool) or not isinstance(value, Real):
-        raise DocumentError(place, described(value), expected)
-    if not abs(value) <= LARGEST_MAGNITUDE:
+    if not (_is_real(value) and abs(value) <= LARGEST_MAGNITUDE):
         raise DocumentError(place, described(value), expected)
     return float(value)
 
@@ -45,18 +48,16 @@ def checked_number(value: object, place: str) -> float:
 def checked_knot(value: object, place: str) -> float:
     """Return an internal knot as float; anything not strictly between 0 and 1 raises DocumentError."""
     expected = "a number strictly between 0 and 1"
-    if isinstance(value, bool) or not isinstance(value, Real) or not 0 < value < 1:
+    if not (_is_real(value) and 0 < value < 1):
         raise DocumentError(place, described(value), expected)
-    knot = float(value)
-    if not (0 < knot < 1 and math.isfinite(1 / knot)):
-        raise DocumentError(place, described(value), expected)
-    return knot
+    return float(value)
 
 
 def checked_samples(value: object, place: str) -> int:
     """Return a sample count as int; anything but a whole number in SAMPLES_RANGE raises DocumentError."""
     fewest, most = SAMPLES_RANGE
-    if isinstance(value, bool) or not isinstance(value, Integral) or not fewest <= value <= most:
+    is_whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+    if not (is_whole and _is_real(value) and fewest <= value <= most):
         raise DocumentError(place, described(value), f"a whole number from {fewest} to {most}")
     return int(value)
 

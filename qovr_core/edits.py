@@ -1,4 +1,4 @@
-"""Pure functions from one document to the next; each raises DocumentError where the result would not be valid."""
+"""Pure functions from one document to the next; each raises DocumentError where the next is not valid."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.document import Document
+from qovr_core.document import Document, Formulation
 from qovr_core.errors import DocumentError
 from qovr_core.knots import Knots
 
@@ -65,8 +65,8 @@ def set_knot(
     return set_knots(document, direction, tuple(curves))
 
 
-def set_formulation(document: Document, formulation: str) -> Document:
-    """Return the document with another formulation, by name."""
+def set_formulation(document: Document, formulation: Formulation) -> Document:
+    """Return the document with another formulation."""
     return replace(document, formulation=formulation)
 
 

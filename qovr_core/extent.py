@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from qovr_core import bernstein
 from qovr_core.arrays import Array
 
+Owners = npt.NDArray[np.intp]
+
 _TOLERANCE = 4 * np.finfo(np.float64).eps
-"""A piece is settled when its bound exceeds an attained value by no more than this part of the largest coefficient."""
+"""A piece is settled when its bound exceeds an attained value by this part of its largest coefficient."""
 
 _DEEPEST = 64
 """Halvings of a piece; 52 reach the resolution of double precision."""
@@ -41,9 +44,9 @@ def _corners(pieces: Array) -> Array:
 
 def _maxima(functions: Array) -> Array:
     """Return the maximum over [0, 1] x [0, 1] of each function given by Bernstein coefficients (k, a, b)."""
-    best = _corners(functions).max(axis=1)
+    best: Array = _corners(functions).max(axis=1)
     slack = _TOLERANCE * np.abs(functions).max(axis=(1, 2))
-    pieces, owner = functions, np.arange(len(functions))
+    pieces, owner = functions, np.arange(len(functions), dtype=np.intp)
     for _ in range(_DEEPEST):
         bound = pieces.max(axis=(1, 2))
         open_pieces = np.flatnonzero(bound > (best + slack)[owner])
@@ -57,7 +60,7 @@ def _maxima(functions: Array) -> Array:
     return best
 
 
-def _halved(pieces: Array, owner: Array) -> tuple[Array, Array]:
+def _halved(pieces: Array, owner: Owners) -> tuple[Array, Owners]:
     """Cut every piece in two across the direction in which its coefficients vary more."""
     along_u = np.abs(np.diff(pieces, axis=1)).max(axis=(1, 2))
     along_v = np.abs(np.diff(pieces, axis=2)).max(axis=(1, 2))

@@ -37,7 +37,7 @@ def kernel_decimals(formulation: Formulation) -> int | None:
 
 
 def curve_network(document: Document) -> CurveNetwork:
-    """Return the curves C_i(u) and K_j(v) of (42) and (43), with the kernels of the document's formulation."""
+    """Return the curves C_i(u) and K_j(v) of (42) and (43), as the formulation computes them."""
     knots = knot_array(document.row_knots + document.column_knots)
     weights = weight_coefficients(knots, kernel_decimals=kernel_decimals(document.formulation))
     net = document.control_points
@@ -101,7 +101,8 @@ def _interpolating(document: Document) -> Array:
     through_rows = np.einsum("bi,iak->abk", along_v, network.rows)
     through_columns = np.einsum("aj,jbk->abk", along_u, network.columns)
     through_points = np.einsum("aj,bi,ijk->abk", along_u, along_v, net, optimize=True)
-    return through_rows + through_columns - through_points
+    patch: Array = through_rows + through_columns - through_points
+    return patch
 
 
 _BUILDERS: dict[Formulation, Callable[[Document], Array]] = {

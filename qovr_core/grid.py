@@ -1,8 +1,8 @@
 """Evaluation of a tensor-product polynomial on a grid of parameters: the one place where speed is won.
 
-A grid of n x m points is one product of an (n, degree + 1) basis with a (degree + 1, 3 m) table, which writes the points
-in their final order. Blocks of rows that fit a core's cache keep the product, and a box taken at the same time, off the
-main memory; grids beyond the shared cache are worth one thread a core.
+A grid of n x m points is one product of an (n, degree + 1) basis with a (degree + 1, 3 m) table, which writes
+the points in their final order. Blocks of rows that fit a core's cache keep the product, and a box taken at the
+same time, off the main memory; large grids are worth one thread a core.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from functools import cache
+from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
@@ -18,7 +19,7 @@ import numpy as np
 from qovr_core.arrays import Array
 
 BLOCK_BYTES = 300 * 1024
-"""Result of one block: it stays in a core's cache, and its product is too small for the BLAS to thread by itself."""
+"""Result of one block: it stays in a core's cache, and is too small for the BLAS to thread it by itself."""
 
 FEWEST_BLOCK_ROWS = 8
 """Below this the calls cost more than the cache saves, however long a row is."""
@@ -49,7 +50,7 @@ def _over_rows(rows: int, row_bytes: int, work: Callable[[list[slice]], _Partial
     blocks = [slice(k, min(k + step, rows)) for k in range(0, rows, step)]
     workers = min(os.cpu_count() or 1, len(blocks))
     cuts = [len(blocks) * k // workers for k in range(workers + 1)]
-    others = [_pool().submit(work, blocks[a:b]) for a, b in zip(cuts[1:-1], cuts[2:], strict=True)]
+    others = [_pool().submit(work, blocks[a:b]) for a, b in pairwise(cuts[1:])]
     return [work(blocks[: cuts[1]]), *(other.result() for other in others)]
 
 

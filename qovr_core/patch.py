@@ -15,7 +15,7 @@ PATCH_DEGREE = 6
 """Degree each way in which every patch is held, whatever its true degree."""
 
 _SINGULAR = 1e-12
-"""|S_u x S_v| below this part of the largest possible one is rounding, so the normal is taken from its neighbourhood."""
+"""|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
 
 _NO_DIRECTION = np.array([0.0, 0.0, 1.0])
 
@@ -79,7 +79,7 @@ class Patch:
         return self.derivative(u, v, 0, 0)
 
     def points_and_box(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
-        """Return the points as ``points`` does and the box of these samples, (3, 2) with columns min and max."""
+        """Return the points as ``points`` does and their box, (3, 2) with columns min and max."""
         basis_u, basis_v = bernstein.basis(PATCH_DEGREE, u), bernstein.basis(PATCH_DEGREE, v)
         points, box = grid.evaluate_with_box(self.coefficients, basis_u, basis_v)
         return read_only(points), read_only(box)
@@ -114,8 +114,8 @@ class Patch:
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the unit normals along S_u x S_v on a grid.
 
-        Where the tangents are dependent, as on an edge drawn together into a point, the normal is its limit on
-        the way to the patch's centre; where there is no such limit of first order either, it is (0, 0, 1).
+        Where the tangents are dependent, as on an edge drawn together into a point, the normal is its limit
+        on the way to the patch's centre; where that limit is not of first order, it is (0, 0, 1).
 
         Parameters
         ----------
@@ -162,18 +162,16 @@ class Patch:
             np.einsum("...k,...k", self.derivative(u, v, *orders), normal) / length
             for orders in ((2, 0), (1, 1), (0, 2))
         ]
-        (e, f, g), (l, m, n) = first, second
+        (g_uu, g_uv, g_vv), (h_uu, h_uv, h_vv) = first, second
         area = length**2
-        gaussian = (l * n - m * m) / area
-        mean = (e * n - 2 * f * m + g * l) / (2 * area)
+        gaussian = (h_uu * h_vv - h_uv * h_uv) / area
+        mean = (g_uu * h_vv - 2 * g_uv * h_uv + g_vv * h_uu) / (2 * area)
         return Curvature(read_only(gaussian), read_only(mean))
 
     def edge(self, edge: Edge) -> Array:
         """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
-        picked = {Edge.U0: np.s_[0], Edge.U1: np.s_[-1], Edge.V0: np.s_[:, 0], Edge.V1: np.s_[:, -1]}[
-            Edge(edge)
-        ]
-        return read_only(self.coefficients[picked])
+        c = self.coefficients
+        return {Edge.U0: c[0], Edge.U1: c[-1], Edge.V0: c[:, 0], Edge.V1: c[:, -1]}[edge]
 
     def bounding_box(self) -> Array:
         """Return the exact box over [0, 1] x [0, 1], (3, 2) float64 with columns min and max."""
@@ -190,7 +188,7 @@ class Patch:
         return float(_SINGULAR * np.prod(list(tangents)))
 
     def _normals_inward(self, u: Array, v: Array) -> Array:
-        """Return unit derivatives of S_u x S_v toward the centre of the domain, (0, 0, 1) where they vanish too."""
+        """Return the unit derivative of S_u x S_v toward the domain's centre; (0, 0, 1) where it vanishes."""
         su, sv = self.derivative(u, v, 1, 0), self.derivative(u, v, 0, 1)
         suu, suv, svv = (self.derivative(u, v, *orders) for orders in ((2, 0), (1, 1), (0, 2)))
         to_u, to_v = (0.5 - u)[:, None, None], (0.5 - v)[None, :, None]
