@@ -55,9 +55,7 @@ class Document:
         replace(self, "control_points", _checked_net(self.control_points))
         replace(self, "row_knots", _checked_curves(self.row_knots, "row_knots"))
         replace(self, "column_knots", _checked_curves(self.column_knots, "column_knots"))
-        replace(
-            self, "formulation", Formulation(checked_choice(self.formulation, "formulation", Formulation))
-        )
+        replace(self, "formulation", Formulation(checked_choice(self.formulation, "formulation", Formulation)))
         replace(self, "samples", _checked_counts(self.samples))
 
     def __eq__(self, other: object) -> bool:

@@ -1,8 +1,8 @@
 """Evaluation of a tensor-product polynomial on a grid of parameters: the one place where speed is won.
 
 A grid of n x m points is one product of an (n, degree + 1) basis with a (degree + 1, 3 m) table, which writes
-the points in their final order. Blocks of rows that fit a core's cache keep the product, and a box taken at the
-same time, off the main memory; large grids are worth one thread a core.
+the points in their final order. Blocks of rows that fit a core's cache keep the product, and a box taken at
+the same time, off the main memory; large grids are worth one thread a core.
 """
 
 from __future__ import annotations

@@ -171,7 +171,8 @@ class Patch:
     def edge(self, edge: Edge) -> Array:
         """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
         c = self.coefficients
-        return {Edge.U0: c[0], Edge.U1: c[-1], Edge.V0: c[:, 0], Edge.V1: c[:, -1]}[edge]
+        curves: dict[Edge, Array] = {Edge.U0: c[0], Edge.U1: c[-1], Edge.V0: c[:, 0], Edge.V1: c[:, -1]}
+        return curves[edge]
 
     def bounding_box(self) -> Array:
         """Return the exact box over [0, 1] x [0, 1], (3, 2) float64 with columns min and max."""

@@ -18,7 +18,7 @@ _BLEND = (
     * bernstein.binomials(4)
     / np.array([bernstein.binomials(6)[p : p + 5] for p in range(_PARABOLAS)])
 )
-"""w_p is B_{p,2}, so w_p times coefficient k of degree 4, scaled by this, is coefficient p + k of degree 6."""
+"""w_p is B_{p,2}: times coefficient k of degree 4, scaled by this, it is coefficient p + k of degree 6."""
 
 
 def transformations(knots: npt.ArrayLike) -> Array:

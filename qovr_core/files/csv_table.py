@@ -1,0 +1,53 @@
+"""Writing ``.csv``: one row a point, with the inputs in a JSON file beside it."""
+
+from __future__ import annotations
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+
+from qovr_core.files.atomic import replacing
+from qovr_core.files.progress import Progress
+from qovr_core.files.qovr_document import document_to_json
+from qovr_core.pipeline import Surface
+from qovr_core.version import VERSION
+
+HEADER = ("i", "j", "u", "v", "raw_x", "raw_y", "raw_z", "transformed_x", "transformed_y", "transformed_z")
+
+
+def inputs_path(path: Path) -> Path:
+    """Return the path of the file beside a ``.csv`` that holds inputs, boxes and matrix."""
+    return path.with_suffix(".inputs.json")
+
+
+def write_csv(surface: Surface, path: Path, progress: Progress) -> None:
+    """Write all points at full precision, u-major, and the inputs beside them; both files or neither.
+
+    Raises
+    ------
+    FileError : a file cannot be written
+    """
+    with replacing(path, inputs_path(path)) as (points, inputs):
+        inputs.write_text(_inputs_text(surface), encoding="utf-8", newline="\n")
+        with points.open("w", encoding="utf-8", newline="") as file:
+            table = csv.writer(file, lineterminator="\n")
+            table.writerow(HEADER)
+            j, v = list(range(len(surface.v))), surface.v.tolist()
+            for i, u in enumerate(surface.u.tolist()):
+                coordinates = np.hstack([surface.raw[i], surface.transformed[i]]).tolist()
+                table.writerows((i, j[k], u, v[k], *row) for k, row in enumerate(coordinates))
+                progress((i + 1) / len(surface.u))
+
+
+def _inputs_text(surface: Surface) -> str:
+    content = {
+        "program": f"QOVR Studio {VERSION}",
+        "document": json.loads(document_to_json(surface.document)),
+        "control_box": surface.control_box.tolist(),
+        "raw_box": surface.raw_box.tolist(),
+        "matrix": surface.matrix.tolist(),
+        "flat_axes": list(surface.flat_axes),
+    }
+    return json.dumps(content, indent=2) + "\n"

@@ -1,0 +1,146 @@
+"""Writing ``.xlsx`` in the published layout, cell for cell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import zip_longest
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from qovr_core.document import Document
+from qovr_core.errors import FileError
+from qovr_core.files import published_layout as layout
+from qovr_core.files.atomic import replacing, unwritable
+from qovr_core.files.progress import Progress
+from qovr_core.knots import knot_array
+from qovr_core.pipeline import Surface
+from qovr_core.version import VERSION
+
+_ROWS_A_REPORT = 1024
+
+Cells = list[tuple[int, Any]]
+"""What stands in one row: pairs of zero-based column and value."""
+
+
+def check_workbook_size(document: Document, path: Path) -> None:
+    """Refuse, before any work, more points than a sheet has rows.
+
+    Raises
+    ------
+    FileError : a sheet cannot hold the samples
+    """
+    n, m = document.samples
+    if n * m > layout.MOST_POINTS:
+        raise FileError(
+            f"{path}: {n} x {m} samples are {n * m:,} points; "
+            f"expected at most {layout.MOST_POINTS:,}, the rows of one sheet"
+        )
+
+
+def write_workbook(surface: Surface, path: Path, progress: Progress) -> None:
+    """Write a surface in the published layout, whole or not at all.
+
+    Raises
+    ------
+    FileError : the sheet has too few rows, or the file cannot be written
+    """
+    from xlsxwriter.exceptions import XlsxWriterException
+
+    check_workbook_size(surface.document, path)
+    with replacing(path) as (draft,):
+        try:
+            _write(surface, draft, progress)
+        except XlsxWriterException as error:
+            cause = error.args[0] if error.args else error
+            raise unwritable(path, cause if isinstance(cause, OSError) else OSError(str(error))) from error
+
+
+def _write(surface: Surface, draft: Path, progress: Progress) -> None:
+    import xlsxwriter
+
+    # Rows go to disk one by one, beside the target: memory stays small, and only one disk can be full.
+    options = {"constant_memory": True, "tmpdir": str(draft.parent)}
+    book = xlsxwriter.Workbook(str(draft), options)
+    book.set_properties({"title": "QOVR surface", "comments": f"Made by QOVR Studio {VERSION}"})
+    sheet = book.add_worksheet("QOVR surface")
+    count = len(surface.u) * len(surface.v)
+    for row, cells in enumerate(_rows(surface), start=layout.TITLE_ROW - 1):
+        for column, value in cells:
+            sheet.write(row, column, value)
+        if row % _ROWS_A_REPORT == 0:
+            progress(row / (count + layout.FIRST_ROW))
+    record = book.add_worksheet(layout.RECORD_SHEET)
+    for row, (name, value) in enumerate(_record(surface.document)):
+        record.write(row, 0, name)
+        record.write(row, 1, value)
+    book.close()
+    progress(1.0)
+
+
+def _record(document: Document) -> list[tuple[str, Any]]:
+    n, m = document.samples
+    return [
+        ("program", f"QOVR Studio {VERSION}"),
+        ("formulation", str(document.formulation)),
+        ("samples_u", n),
+        ("samples_v", m),
+    ]
+
+
+def _rows(surface: Surface) -> Iterator[Cells]:
+    """Yield the cells of every row from the title row on."""
+    yield [(layout.column_index(letters), text) for letters, text in layout.TITLES.items()]
+    yield []
+    yield [(layout.column_index(letters), text) for letters, text in layout.HEADERS.items()]
+    tables = (
+        (layout.NET, _net_rows(surface)),
+        (layout.CONTROL_BOX, _box_rows(surface.control_box)),
+        (layout.RAW, _point_rows(surface.raw)),
+        (layout.RAW_BOX, _box_rows(surface.raw_box)),
+        (layout.MATRIX, iter(surface.matrix.tolist())),
+        (layout.TRANSFORMED, _point_rows(surface.transformed.round(layout.TRANSFORMED_DECIMALS))),
+        (layout.ROW_KNOTS, _row_knot_rows(surface.document)),
+        (layout.COLUMN_KNOTS, _column_knot_rows(surface.document)),
+    )
+    starts = [layout.column_index(letters) for letters, _ in tables]
+    for parts in zip_longest(*(rows for _, rows in tables), fillvalue=()):
+        yield [
+            cell
+            for start, part in zip(starts, parts, strict=True)
+            for cell in enumerate(part, start)
+            if cell[1] is not None
+        ]
+
+
+def _net_rows(surface: Surface) -> Iterator[list[Any]]:
+    net = surface.document.control_points
+    for k, (i, j) in enumerate(np.ndindex(net.shape[:2])):
+        yield [k, i, j, *net[i, j].tolist()]
+
+
+def _box_rows(box: np.ndarray) -> Iterator[list[Any]]:
+    for axis, bounds in zip("xyz", box.tolist(), strict=True):
+        yield [axis, *bounds]
+
+
+def _point_rows(points: np.ndarray) -> Iterator[list[Any]]:
+    count = 0
+    for row in points:  # one row of the grid at a time, so that a million points never become a million lists
+        for point in row.tolist():
+            yield [count, *point]
+            count += 1
+
+
+def _row_knot_rows(document: Document) -> Iterator[list[Any]]:
+    knots = knot_array(document.row_knots)[::-1].tolist()
+    for name, values in zip(layout.ROW_CURVE_NAMES, knots, strict=True):
+        yield [name, *values]
+
+
+def _column_knot_rows(document: Document) -> Iterator[list[Any]]:
+    r, s, v, t = knot_array(document.column_knots).T.tolist()
+    for name, values in zip(layout.COLUMN_KNOT_NAMES, (t, v, s, r), strict=True):
+        yield [name, *values]
+    yield [None, *layout.COLUMN_CURVE_NAMES]

@@ -1,0 +1,66 @@
+"""What ``qovr info`` says of a document."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from qovr_core.document import Document
+from qovr_core.formulations import active_rows
+from qovr_core.pipeline import Surface
+
+
+def surface_facts(surface: Surface) -> dict[str, Any]:
+    """Return boxes, matrix, degree and knots out of range of a configured surface, ready for JSON."""
+    document = surface.document
+    return {
+        "formulation": str(document.formulation),
+        "samples": list(document.samples),
+        "degree": list(surface.patch.degree),
+        "control_box": surface.control_box.tolist(),
+        "raw_box": surface.raw_box.tolist(),
+        "exact_raw_box": surface.patch.bounding_box().tolist(),
+        "matrix": surface.matrix.tolist(),
+        "flat_axes": list(surface.flat_axes),
+        "not_monotone": not_monotone(document),
+        "without_effect": [f"row_knots[{i}]" for i in range(5) if i not in active_rows(document.formulation)],
+    }
+
+
+def not_monotone(document: Document) -> list[str]:
+    """Return the places of the s knots whose transformation s(u) folds back, as ``row_knots[2].s``."""
+    zones = (("row_knots", document.row_knots), ("column_knots", document.column_knots))
+    return [f"{zone}[{k}].s" for zone, curves in zones for k, knots in enumerate(curves) if not knots.is_monotone]
+
+
+def facts_text(facts: dict[str, Any]) -> str:
+    """Return the facts as lines for people."""
+    n, m = facts["samples"]
+    degree_u, degree_v = facts["degree"]
+    lines = [
+        f"formulation      {facts['formulation']}",
+        f"samples          {n} x {m}",
+        f"degree           {degree_u} in u, {degree_v} in v",
+        *_box_lines("control points", facts["control_box"]),
+        *_box_lines("raw, sampled", facts["raw_box"]),
+        *_box_lines("raw, exact", facts["exact_raw_box"]),
+        "matrix T",
+        *("  " + " ".join(f"{value:>18.12g}" for value in row) for row in facts["matrix"]),
+    ]
+    if facts["flat_axes"]:
+        lines.append(
+            f"flat             the raw surface has no extent along {', '.join(facts['flat_axes'])}: T only moves there"
+        )
+    if facts["without_effect"]:
+        lines.append(
+            f"without effect   {', '.join(facts['without_effect'])}: only C_4 enters the published formulation"
+        )
+    folding = ", ".join(facts["not_monotone"]) or "none"
+    lines.append(f"folding back     {folding}")
+    return "\n".join(lines)
+
+
+def _box_lines(title: str, box: list[list[float]]) -> list[str]:
+    return [
+        f"box {title}",
+        *(f"  {axis}  {low:>18.12g} {high:>18.12g}" for axis, (low, high) in zip("xyz", box, strict=True)),
+    ]
