@@ -187,9 +187,8 @@ def _reproduce(arguments: argparse.Namespace) -> int:
                 verdict = "  meets the workbook" if d.meets else ""
                 print(f"  {name:<15}{d.raw:>11.2e}{d.box:>11.2e}{d.matrix:>11.2e}{d.transformed:>13.2e}{verdict}")
             if not result.met_by:
-                print(
-                    f"  none meets it: expected raw within {RAW_TOLERANCE:g}, transformed within {TRANSFORMED_TOLERANCE:g}"
-                )
+                limits = f"raw within {RAW_TOLERANCE:g}, transformed within {TRANSFORMED_TOLERANCE:g}"
+                print(f"  none meets it: expected {limits}")
     return DONE if all_met else ANSWER_IS_NO
 
 

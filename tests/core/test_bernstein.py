@@ -1,0 +1,52 @@
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from qovr_core import bernstein
+
+coefficient = st.floats(-10, 10)
+polynomial = st.lists(coefficient, min_size=1, max_size=7).map(np.array)
+GRID = np.linspace(-0.5, 1.5, 11)
+
+
+def values(coefficients, at=GRID):
+    return bernstein.basis(len(coefficients) - 1, at) @ coefficients
+
+
+@pytest.mark.parametrize("degree", range(7))
+def test_the_basis_is_exact_at_the_ends_and_sums_to_one(degree):
+    basis = bernstein.basis(degree, [0.0, 1.0, 0.3])
+    assert basis[0].tolist() == [1.0] + [0.0] * degree
+    assert basis[1].tolist() == [0.0] * degree + [1.0]
+    assert basis[2].sum() == pytest.approx(1, abs=1e-15)
+
+
+@given(polynomial, polynomial)
+def test_product(a, b):
+    assert values(bernstein.product(a, b)) == pytest.approx(values(a) * values(b), rel=1e-9, abs=1e-8)
+
+
+@given(polynomial)
+def test_elevation(a):
+    assert values(bernstein.elevation(len(a) - 1, 8) @ a) == pytest.approx(values(a), rel=1e-9, abs=1e-8)
+
+
+@given(st.lists(coefficient, min_size=2, max_size=7).map(np.array))
+def test_derivative(a):
+    step = 1e-5
+    slope = (values(a, GRID + step) - values(a, GRID - step)) / (2 * step)
+    assert values(bernstein.derivative(a, 0)) == pytest.approx(slope, rel=1e-5, abs=1e-4)
+
+
+@given(polynomial)
+def test_halving(a):
+    left, right = (half @ a for half in bernstein.halving(len(a) - 1))
+    u = np.linspace(0, 1, 7)
+    assert values(left, u) == pytest.approx(values(a, u / 2), abs=1e-12)
+    assert values(right, u) == pytest.approx(values(a, (1 + u) / 2), abs=1e-12)
+
+
+def test_parameters_must_be_one_dimensional():
+    with pytest.raises(ValueError, match=r"shape \(2, 2\); expected one dimension"):
+        bernstein.basis(3, np.zeros((2, 2)))

@@ -1,0 +1,265 @@
+"""Files read back, by this program and by others."""
+
+import csv
+import json
+import os
+import stat
+
+import numpy as np
+import openpyxl
+import pytest
+from hypothesis import HealthCheck, given, settings
+
+from qovr_core import FileError, SourceError, configure
+from qovr_core.files import FORMATS, format_for, published_layout, read_document, read_source, write_document
+from qovr_core.files.atomic import replacing
+from qovr_core.files.progress import silent
+from qovr_core.files.qovr_document import document_from_json, document_to_json
+from qovr_core.files.workbook_read import read_published_numbers, read_workbook
+from qovr_core.presets import preset
+from support.command import PUBLISHED
+from support.documents import documents, random_document
+
+WORKBOOKS = {
+    "fig5": "QOVR_S_Ctrl_Pts_v0_all_intl_param_knots_05.xlsx",
+    "fig6b": "QOVR_S_Ctrl_Pts_v0_all_intl_param_knots_03_05_05_07.xlsx",
+    "fig8": "QOVR_S_Ctrl_Pts_v1_all_intl_param_knots_05.xlsx",
+}
+
+
+def published(name):
+    path = PUBLISHED / WORKBOOKS[name]
+    if not path.exists():
+        pytest.skip("the published workbooks are not on this machine")
+    return path
+
+
+def export(surface, path):
+    format_for(path).write(surface, path, silent)
+    return path
+
+
+@given(documents())
+def test_a_document_reads_back_as_itself_to_the_last_bit(document):
+    again = document_from_json(document_to_json(document))
+    assert again == document
+    assert again.control_points.tobytes() == document.control_points.tobytes()
+
+
+@given(documents(samples=(3, 2)))
+@settings(max_examples=10, suppress_health_check=[HealthCheck.function_scoped_fixture], deadline=None)
+def test_a_workbook_reads_back(tmp_path, document):
+    again = read_source(str(export(configure(document), tmp_path / "a.xlsx")))
+    assert again.formulation == document.formulation
+    assert again.samples == document.samples
+    assert again.control_points == pytest.approx(document.control_points, rel=1e-15)
+    for ours, theirs in zip(
+        again.row_knots + again.column_knots, document.row_knots + document.column_knots, strict=True
+    ):
+        assert tuple(ours) == pytest.approx(tuple(theirs), rel=1e-15)
+
+
+def cells(path):
+    return {
+        cell.coordinate: cell.value
+        for row in openpyxl.load_workbook(path).worksheets[0].iter_rows()
+        for cell in row
+        if cell.value is not None
+    }
+
+
+@pytest.mark.parametrize("name", WORKBOOKS)
+def test_a_workbook_is_the_published_one_cell_for_cell(name, tmp_path):
+    theirs = cells(published(name))
+    ours = cells(export(configure(preset(name).document), tmp_path / "a.xlsx"))
+    assert ours.keys() == theirs.keys()
+    for place, value in theirs.items():
+        if isinstance(value, str):
+            assert ours[place] == value, place
+        else:
+            # The 5 decimals of AB:AD are those of numbers that agree within 1e-8, so a tie may fall either way.
+            rounded = place.rstrip("0123456789") in ("AB", "AC", "AD")
+            assert ours[place] == pytest.approx(value, abs=1.01e-5 if rounded else 1e-8), place
+
+
+@pytest.mark.parametrize("name", WORKBOOKS)
+def test_the_published_numbers_are_met(name):
+    numbers = read_published_numbers(published(name))
+    assert numbers.document == preset(name).document
+    surface = configure(numbers.document)
+    assert surface.raw == pytest.approx(numbers.raw, abs=1e-8)
+    assert surface.raw_box == pytest.approx(numbers.raw_box, abs=1e-9)
+    assert surface.control_box == pytest.approx(numbers.control_box, abs=1e-9)
+    assert surface.matrix == pytest.approx(numbers.matrix, abs=1e-9)
+    assert surface.transformed == pytest.approx(numbers.transformed, abs=5.1e-6)
+
+
+def test_the_ranges_that_the_authors_scripts_read(tmp_path):
+    document = random_document(11, formulation=preset("fig5").document.formulation, samples=(101, 101))
+    surface = configure(document)
+    sheet = openpyxl.load_workbook(export(surface, tmp_path / "a.xlsx")).worksheets[0]
+
+    def numbers(cell_range):
+        return np.array([[cell.value for cell in row] for row in sheet[cell_range]], dtype=float)
+
+    assert numbers("E5:G29") == pytest.approx(document.control_points.reshape(-1, 3), rel=1e-15)
+    assert numbers("N5:P10205") == pytest.approx(surface.raw.reshape(-1, 3), rel=1e-15)
+    assert numbers("AB5:AD10205") == pytest.approx(surface.transformed.reshape(-1, 3), abs=5.1e-6)
+    assert sheet["A1"].value is None
+    assert sheet.max_row == 10205
+
+
+def test_knot_tables_stand_as_the_net_lies_in_space(tmp_path):
+    document = random_document(12)
+    sheet = openpyxl.load_workbook(export(configure(document), tmp_path / "a.xlsx")).worksheets[0]
+    assert [sheet[f"AF{row}"].value for row in range(5, 10)] == ["C_4", "C_3", "C_2", "C_1", "C_0"]
+    assert [sheet[f"AL{row}"].value for row in range(5, 9)] == ["tip_K", "vip", "sip_K", "rip_K"]
+    assert [sheet.cell(9, column).value for column in range(39, 44)] == ["K_0", "K_1", "K_2", "K_3", "K_4"]
+    assert sheet["AG5"].value == pytest.approx(document.row_knots[4].r)
+    assert sheet["AJ9"].value == pytest.approx(document.row_knots[0].t)
+    assert sheet["AM5"].value == pytest.approx(document.column_knots[0].t)
+    assert sheet["AQ6"].value == pytest.approx(document.column_knots[4].u)
+    assert sheet["AO8"].value == pytest.approx(document.column_knots[2].r)
+
+
+def test_a_sheet_that_is_too_short_is_refused_before_any_work(tmp_path):
+    assert published_layout.MOST_POINTS == 1_048_572
+    target = format_for(tmp_path / "a.xlsx")
+    target.check(random_document(1, samples=(1024, 1023)), tmp_path / "a.xlsx")
+    with pytest.raises(FileError, match=r"1025 x 1024 samples are 1,049,600 points; expected at most 1,048,572"):
+        target.check(random_document(1, samples=(1025, 1024)), tmp_path / "a.xlsx")
+
+
+def test_csv_holds_every_point_exactly(tmp_path):
+    surface = configure(random_document(13))
+    path = export(surface, tmp_path / "net.csv")
+    with path.open(newline="") as file:
+        table = list(csv.DictReader(file))
+    assert len(table) == 7 * 5
+    for k, row in enumerate(table):
+        i, j = divmod(k, 5)
+        assert (int(row["i"]), int(row["j"])) == (i, j)
+        assert (float(row["u"]), float(row["v"])) == (surface.u[i], surface.v[j])
+        assert [float(row[f"raw_{axis}"]) for axis in "xyz"] == surface.raw[i, j].tolist()
+        assert [float(row[f"transformed_{axis}"]) for axis in "xyz"] == surface.transformed[i, j].tolist()
+    inputs = json.loads((tmp_path / "net.inputs.json").read_text())
+    assert document_from_json(json.dumps(inputs["document"])) == surface.document
+    assert inputs["matrix"] == surface.matrix.tolist()
+    assert inputs["raw_box"] == surface.raw_box.tolist()
+    assert inputs["control_box"] == surface.control_box.tolist()
+
+
+def test_npz_holds_every_array_under_its_name(tmp_path):
+    surface = configure(random_document(14))
+    with np.load(export(surface, tmp_path / "a.npz"), allow_pickle=False) as arrays:
+        shapes = {name: arrays[name].shape for name in arrays.files}
+        assert shapes == {
+            "control_points": (5, 5, 3),
+            "row_knots": (5, 4),
+            "column_knots": (5, 4),
+            "u": (7,),
+            "v": (5,),
+            "raw": (7, 5, 3),
+            "transformed": (7, 5, 3),
+            "control_box": (3, 2),
+            "raw_box": (3, 2),
+            "matrix": (4, 4),
+            "formulation": (),
+        }
+        for name in ("u", "v", "raw", "transformed", "control_box", "raw_box", "matrix"):
+            assert np.array_equal(arrays[name], getattr(surface, name))
+        assert arrays["row_knots"][3].tolist() == list(surface.document.row_knots[3])
+        assert str(arrays["formulation"]) == "interpolating"
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_a_cancelled_export_leaves_what_was_there(suffix, tmp_path):
+    class Cancelled(Exception):
+        pass
+
+    def cancel(_part):
+        raise Cancelled
+
+    path = tmp_path / f"a{suffix}"
+    path.write_text("precious")
+    with pytest.raises(Cancelled):
+        FORMATS[suffix].write(configure(random_document(1)), path, cancel)
+    if suffix != ".qovr":  # so small that it is whole before anyone can cancel
+        assert path.read_text() == "precious"
+    assert [entry.name for entry in tmp_path.iterdir()] == [path.name]
+
+
+@pytest.mark.parametrize("suffix", FORMATS)
+def test_progress_rises_to_the_end(suffix, tmp_path):
+    parts = []
+    FORMATS[suffix].write(configure(random_document(1, samples=(60, 60))), tmp_path / f"a{suffix}", parts.append)
+    assert parts == sorted(parts)
+    assert parts[-1] == 1.0
+
+
+def test_a_file_keeps_its_mode_and_its_link(tmp_path):
+    path, link = tmp_path / "a.qovr", tmp_path / "link.qovr"
+    write_document(random_document(1), path)
+    path.chmod(0o640)
+    link.symlink_to(path)
+    write_document(random_document(2), link)
+    assert link.is_symlink()
+    assert read_document(path) == random_document(2)
+    assert stat.S_IMODE(path.stat().st_mode) == 0o640
+
+
+def test_a_new_file_has_the_usual_mode(tmp_path):
+    mask = os.umask(0o027)
+    try:
+        write_document(random_document(1), tmp_path / "a.qovr")
+    finally:
+        os.umask(mask)
+    assert stat.S_IMODE((tmp_path / "a.qovr").stat().st_mode) == 0o640
+
+
+def test_of_two_files_none_appears_where_one_fails(tmp_path):
+    first, second = tmp_path / "a", tmp_path / "b"
+    first.write_text("old")
+
+    def write_one_and_fail():
+        with replacing(first, second) as (draft, _):
+            draft.write_text("new")
+            raise OSError(28, "No space left on device")
+
+    with pytest.raises(FileError, match="a: cannot be written: No space left on device"):
+        write_one_and_fail()
+    assert first.read_text() == "old"
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a"]
+
+
+@pytest.mark.parametrize("name", ["a", "a.txt", "a.XLS"])
+def test_unknown_suffixes(name, tmp_path):
+    with pytest.raises(SourceError, match=r"expected one of \.xlsx, \.csv, \.npz, \.qovr"):
+        format_for(tmp_path / name)
+    with pytest.raises(SourceError, match="is no source"):
+        read_source(str(tmp_path / name))
+
+
+def test_suffixes_in_capitals(tmp_path):
+    path = export(configure(random_document(1)), tmp_path / "A.XLSX")
+    assert read_source(str(path)).samples == (7, 5)
+
+
+def test_a_foreign_workbook_is_square_and_published(tmp_path):
+    """As the published ones are: no record of formulation or samples."""
+    path = export(configure(random_document(1, samples=(6, 6))), tmp_path / "a.xlsx")
+    book = openpyxl.load_workbook(path)
+    del book[published_layout.RECORD_SHEET]
+    book.save(path)
+    document = read_workbook(path)
+    assert document.samples == (6, 6)
+    assert document.formulation == "published"
+
+
+def test_a_foreign_workbook_whose_points_make_no_square(tmp_path):
+    path = export(configure(random_document(1)), tmp_path / "a.xlsx")
+    book = openpyxl.load_workbook(path)
+    del book[published_layout.RECORD_SHEET]
+    book.save(path)
+    with pytest.raises(FileError, match="35 points long; expected a square number"):
+        read_workbook(path)
