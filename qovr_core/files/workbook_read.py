@@ -16,8 +16,6 @@ from qovr_core.errors import DocumentError, FileError
 from qovr_core.files import published_layout as layout
 from qovr_core.knots import Knots
 
-_INPUT_ROWS = layout.FIRST_ROW - 1 + NET_SIZE * NET_SIZE
-
 
 @dataclass(frozen=True, eq=False)
 class PublishedNumbers:
@@ -69,16 +67,16 @@ class _Sheet:
 def read_workbook(path: Path) -> Document:
     """Return the document whose inputs a workbook in the published layout holds.
 
-    The formulation and the samples are those that this program recorded in the workbook, else ``published`` and
-    a square grid of as many samples as there are raw points (101 x 101 where there are none).
+    The formulation and the samples are those that this program recorded in the workbook, else
+    ``published`` and a square grid of as many samples as there are raw points (101 x 101 where there are none).
 
     Raises
     ------
     FileError : the file cannot be read, or a cell of the inputs holds anything but what belongs there
     """
+    sheet, record = _sheets(path)
     try:
-        book = _opened(path)
-        return _document(_sheet(book, 0, path), _record(book))
+        return _document(sheet, record)
     except DocumentError as error:
         raise FileError(f"{path}: {error} (published layout)") from error
 
@@ -90,10 +88,9 @@ def read_published_numbers(path: Path) -> PublishedNumbers:
     ------
     FileError : the file cannot be read, or a cell holds anything but what belongs there
     """
+    sheet, record = _sheets(path)
     try:
-        book = _opened(path)
-        sheet = _sheet(book, 0, path)
-        document = _document(sheet, _record(book))
+        document = _document(sheet, record)
         n, m = document.samples
         if _raw_points(sheet) == 0:
             place = sheet.place(layout.column_index(layout.RAW) + 1, layout.FIRST_ROW)
@@ -110,33 +107,25 @@ def read_published_numbers(path: Path) -> PublishedNumbers:
         raise FileError(f"{path}: {error} (published layout)") from error
 
 
-def _opened(path: Path) -> Any:
+def _sheets(path: Path) -> tuple[_Sheet, dict[str, Any]]:
+    """Return the first sheet, and what this program recorded on its own sheet; empty for other workbooks."""
     from python_calamine import CalamineError, CalamineWorkbook
 
     try:
         with path.open("rb"):
-            pass
-        return CalamineWorkbook.from_path(path)
+            pass  # tells a missing or forbidden file apart from a damaged one
+        book = CalamineWorkbook.from_path(path)
+        first = book.get_sheet_by_index(0)
+        sheet = _Sheet(first.name, first.to_python(skip_empty_area=False))
+        if layout.RECORD_SHEET not in book.sheet_names:
+            return sheet, {}
+        rows = book.get_sheet_by_name(layout.RECORD_SHEET).to_python(skip_empty_area=False)
+        return sheet, {str(row[0]): row[1] for row in rows if len(row) >= 2}
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
     except CalamineError as error:
         reason = " ".join(str(error).split())
         raise FileError(f"{path}: is no whole Excel workbook: {reason}") from error
-
-
-def _sheet(book: Any, index: int, path: Path) -> _Sheet:
-    if index >= len(book.sheet_names):
-        raise FileError(f"{path}: has no sheet {index + 1}; expected a workbook in the published layout")
-    sheet = book.get_sheet_by_index(index)
-    return _Sheet(sheet.name, sheet.to_python(skip_empty_area=False))
-
-
-def _record(book: Any) -> dict[str, Any]:
-    """Return what this program recorded on its own sheet; empty for every other workbook."""
-    if layout.RECORD_SHEET not in book.sheet_names:
-        return {}
-    rows = book.get_sheet_by_name(layout.RECORD_SHEET).to_python(skip_empty_area=False)
-    return {str(row[0]): row[1] for row in rows if len(row) >= 2}
 
 
 def _document(sheet: _Sheet, record: dict[str, Any]) -> Document:

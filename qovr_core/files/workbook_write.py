@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from itertools import zip_longest
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -49,20 +50,19 @@ def write_workbook(surface: Surface, path: Path, progress: Progress) -> None:
     from xlsxwriter.exceptions import XlsxWriterException
 
     check_workbook_size(surface.document, path)
-    with replacing(path) as (draft,):
+    # Rows go to disk one by one, so memory stays small: beside the target, where there must be room anyway.
+    with replacing(path) as (draft,), TemporaryDirectory(prefix=".qovr-", dir=draft.parent) as scratch:
         try:
-            _write(surface, draft, progress)
+            _write(surface, draft, Path(scratch), progress)
         except XlsxWriterException as error:
             cause = error.args[0] if error.args else error
             raise unwritable(path, cause if isinstance(cause, OSError) else OSError(str(error))) from error
 
 
-def _write(surface: Surface, draft: Path, progress: Progress) -> None:
+def _write(surface: Surface, draft: Path, scratch: Path, progress: Progress) -> None:
     import xlsxwriter
 
-    # Rows go to disk one by one, beside the target: memory stays small, and only one disk can be full.
-    options = {"constant_memory": True, "tmpdir": str(draft.parent)}
-    book = xlsxwriter.Workbook(str(draft), options)
+    book = xlsxwriter.Workbook(str(draft), {"constant_memory": True, "tmpdir": str(scratch)})
     book.set_properties({"title": "QOVR surface", "comments": f"Made by QOVR Studio {VERSION}"})
     sheet = book.add_worksheet("QOVR surface")
     count = len(surface.u) * len(surface.v)
