@@ -22,7 +22,7 @@ test: setup
 	@$(PY) -m pytest
 
 bench: setup
-	@$(PY) -m pytest tests/benchmarks
+	@$(PY) -m pytest --benchmark-quiet tests/benchmarks
 
 lint: setup
 	@$(PY) -m ruff check .
