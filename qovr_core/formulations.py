@@ -97,11 +97,10 @@ def _interpolating(document: Document) -> Array:
     network = curve_network(document)
     means = [knot_array(knots).mean(axis=0) for knots in (document.row_knots, document.column_knots)]
     along_u, along_v = weight_coefficients(np.array(means))
-    net = document.control_points
-    through_rows = np.einsum("bi,iak->abk", along_v, network.rows)
-    through_columns = np.einsum("aj,jbk->abk", along_u, network.columns)
-    through_points = np.einsum("aj,bi,ijk->abk", along_u, along_v, net, optimize=True)
-    patch: Array = through_rows + through_columns - through_points
+    # Rows and points are blended by the same weights along v, so their difference is blended once.
+    beyond_the_net = network.rows - along_u @ document.control_points
+    patch: Array = np.tensordot(along_u, network.columns, axes=1)
+    patch += np.tensordot(along_v, beyond_the_net, axes=1).transpose(1, 0, 2)
     return patch
 
 
