@@ -13,7 +13,7 @@ from qovr_app.view3d.camera import Size
 
 @contextmanager
 def painting(device: QPaintDevice | QPagedPaintDevice) -> Iterator[QPainter]:
-    """Give a painter and end it, also after an error: Qt crashes when a device goes under a living painter."""
+    """Give a painter and end it, also after an error: Qt crashes when its device goes before it."""
     painter = QPainter(device)
     try:
         yield painter

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from OpenGL import GL
 from PySide6.QtGui import QImage
-from PySide6.QtOpenGL import QOpenGLShaderProgram, QOpenGLVertexArrayObject
+from PySide6.QtOpenGL import QOpenGLShaderProgram
 
 from qovr_app.view3d.gl_program import link_program
 
@@ -19,20 +19,20 @@ class ImageLayer:
     def forget(self) -> None:
         """Start without any GL object, as a new context does."""
         self._program: QOpenGLShaderProgram | None = None
-        self._array: QOpenGLVertexArrayObject | None = None
+        self._array = 0
         self._texture = 0
         self._size = (0, 0)
 
     def release(self) -> None:
         """Destroy every GL object."""
-        if self._array is not None:
-            self._array.destroy()
+        if self._array:
+            GL.glDeleteVertexArrays(1, [self._array])
             GL.glDeleteTextures([self._texture])
         self.forget()
 
     def upload(self, image: QImage) -> None:
         """Take over an image in the format ARGB32 premultiplied."""
-        if self._array is None:
+        if not self._array:
             self._create()
         GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
         GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4)
@@ -55,19 +55,17 @@ class ImageLayer:
         else:
             GL.glDisable(GL.GL_BLEND)
         self._program.bind()
-        self._array.bind()
+        GL.glBindVertexArray(self._array)
         GL.glActiveTexture(GL.GL_TEXTURE0)
         GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
         GL.glUniform1i(self._program.uniformLocation("u_image"), 0)
         GL.glDrawArrays(GL.GL_TRIANGLES, 0, 3)
-        self._array.release()
+        GL.glBindVertexArray(0)
         self._program.release()
 
     def _create(self) -> None:
         self._program = link_program("layer")
-        self._array = QOpenGLVertexArrayObject()
-        if not self._array.create():
-            raise RuntimeError("the driver creates no vertex array objects")
+        self._array = int(GL.glGenVertexArrays(1))
         self._texture = int(GL.glGenTextures(1))
         GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
         for name in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):

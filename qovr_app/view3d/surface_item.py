@@ -13,7 +13,7 @@ import numpy as np
 from OpenGL import GL
 from pyqtgraph.opengl.GLGraphicsItem import GLGraphicsItem
 from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QOpenGLContext, QVector4D
-from PySide6.QtOpenGL import QOpenGLBuffer, QOpenGLShaderProgram, QOpenGLVertexArrayObject
+from PySide6.QtOpenGL import QOpenGLBuffer, QOpenGLShaderProgram
 
 from qovr_app.view3d.colourmaps import ENTRIES, colour_table
 from qovr_app.view3d.gl_program import link_program
@@ -59,7 +59,7 @@ class SurfaceItem(GLGraphicsItem):
     def forget(self) -> None:
         """Start without any GL object, as a new context does."""
         self._programs: dict[Style, QOpenGLShaderProgram] = {}
-        self._array: QOpenGLVertexArrayObject | None = None
+        self._array = 0
         self._vertices: QOpenGLBuffer | None = None
         self._indices: QOpenGLBuffer | None = None
         self._texture = 0
@@ -73,8 +73,8 @@ class SurfaceItem(GLGraphicsItem):
 
     def release(self) -> None:
         """Destroy every GL object; a context that shares them is current."""
-        if self._array is not None:
-            self._array.destroy()
+        if self._array:
+            GL.glDeleteVertexArrays(1, [self._array])
             self._vertices.destroy()
             self._indices.destroy()
             GL.glDeleteTextures([self._texture])
@@ -84,9 +84,9 @@ class SurfaceItem(GLGraphicsItem):
         picture = self._picture
         if picture is None or picture.scene is None or not picture.settings.surface:
             return
-        if self._array is None:
+        if not self._array:
             self._create()
-        self._array.bind()
+        GL.glBindVertexArray(self._array)
         self._upload(picture)
         style = picture.settings.style
         program = self._program(style)
@@ -96,14 +96,13 @@ class SurfaceItem(GLGraphicsItem):
         GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
         self._draw(style, picture.counts)
         program.release()
-        self._array.release()
+        GL.glBindVertexArray(0)
 
     def _create(self) -> None:
-        self._array = QOpenGLVertexArrayObject()
+        self._array = int(GL.glGenVertexArrays(1))
         self._vertices = QOpenGLBuffer(QOpenGLBuffer.Type.VertexBuffer)
         self._indices = QOpenGLBuffer(QOpenGLBuffer.Type.IndexBuffer)
-        created = [thing.create() for thing in (self._array, self._vertices, self._indices)]
-        if not all(created):
+        if not (self._vertices.create() and self._indices.create()):
             raise RuntimeError("the driver creates no vertex buffers")
         self._vertices.setUsagePattern(QOpenGLBuffer.UsagePattern.DynamicDraw)
         self._texture = int(GL.glGenTextures(1))
