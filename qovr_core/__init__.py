@@ -9,9 +9,10 @@ from qovr_core.errors import DocumentError, EvaluationError, FileError, QovrErro
 from qovr_core.formulations import CurveNetwork, build_patch, curve_network
 from qovr_core.knots import Knots
 from qovr_core.patch import Curvature, Edge, Patch
-from qovr_core.pipeline import Surface, configure
+from qovr_core.pipeline import AlignedPatch, Surface, align_patch, configure
 
 __all__ = [
+    "AlignedPatch",
     "Curvature",
     "CurveNetwork",
     "Document",
@@ -25,6 +26,7 @@ __all__ = [
     "QovrError",
     "SourceError",
     "Surface",
+    "align_patch",
     "build_patch",
     "configure",
     "curve_network",

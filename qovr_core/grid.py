@@ -83,19 +83,31 @@ def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
 def evaluate_with_box(coefficients: Array, basis_u: Array, basis_v: Array) -> tuple[Array, Array]:
     """Return the points as ``evaluate`` does and their box, (d, 2) with columns min and max."""
     n, m, d = len(basis_u), len(basis_v), coefficients.shape[2]
-    table = _table(coefficients, basis_v)
     points = np.empty((n, m, d))
-    flat = points.reshape(n, m * d)
+    return points, _box(coefficients, basis_u, basis_v, points.reshape(n, m * d))
+
+
+def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
+    """Return the box of the points alone, (d, 2); no more than a block of points is ever held."""
+    return _box(coefficients, basis_u, basis_v, None)
+
+
+def _box(coefficients: Array, basis_u: Array, basis_v: Array, points: Array | None) -> Array:
+    """Return the box of the points and, where they are wanted, write them into ``points``, (n, m d)."""
+    m, d = len(basis_v), coefficients.shape[2]
+    table = _table(coefficients, basis_v)
 
     def work(blocks: list[slice]) -> tuple[Array, Array]:
         low, high = np.full(m * d, np.inf), np.full(m * d, -np.inf)
+        held = np.empty((len(basis_u[blocks[0]]), m * d)) if points is None else points
         for rows in blocks:
-            block = flat[rows]
-            np.matmul(basis_u[rows], table, out=block)
+            u = basis_u[rows]
+            block = held[: len(u)] if points is None else held[rows]
+            np.matmul(u, table, out=block)
             np.minimum(low, block.min(axis=0), out=low)
             np.maximum(high, block.max(axis=0), out=high)
         return low.reshape(m, d).min(axis=0), high.reshape(m, d).max(axis=0)
 
-    parts = _over_rows(n, flat.itemsize * m * d, work)
-    box = np.array([np.min([low for low, _ in parts], axis=0), np.max([high for _, high in parts], axis=0)])
-    return points, box.T
+    parts = _over_rows(len(basis_u), table.itemsize * m * d, work)
+    low, high = (np.array(bounds) for bounds in zip(*parts, strict=True))
+    return np.stack([low.min(axis=0), high.max(axis=0)], axis=1)

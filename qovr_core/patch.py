@@ -84,6 +84,11 @@ class Patch:
         points, box = grid.evaluate_with_box(self.coefficients, basis_u, basis_v)
         return read_only(points), read_only(box)
 
+    def sampled_box(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the box of the points on a grid, (3, 2) with columns min and max, without keeping the points."""
+        basis_u, basis_v = bernstein.basis(PATCH_DEGREE, u), bernstein.basis(PATCH_DEGREE, v)
+        return read_only(grid.box(self.coefficients, basis_u, basis_v))
+
     def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S on a grid.
 

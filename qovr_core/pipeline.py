@@ -14,27 +14,20 @@ from qovr_core.patch import Patch
 
 
 @dataclass(frozen=True, eq=False)
-class Surface:
-    """The result of ``configure``; every array is float64 and read-only.
+class AlignedPatch:
+    """A document's surface as a whole, with no samples of it; every array is float64 and read-only.
 
     Parameters
     ----------
     document : what it was made from
     patch : the raw surface, exact
-    u, v : (n,) and (m,) parameters of the samples, from 0 to 1
-    raw : (n, m, 3) samples of the raw surface, indexed [iu, iv]
-    transformed : (n, m, 3) the same after ``matrix``
-    control_box, raw_box : (3, 2) boxes of the control points and of ``raw``, columns min and max
+    control_box, raw_box : (3, 2) boxes of the control points and of the raw samples, columns min and max
     matrix : (4, 4) the transformation T of (61)-(65)
-    flat_axes : axes along which ``raw`` has no extent, so that ``matrix`` only moves there
+    flat_axes : axes along which the raw samples have no extent, so that ``matrix`` only moves there
     """
 
     document: Document
     patch: Patch
-    u: Array
-    v: Array
-    raw: Array
-    transformed: Array
     control_box: Array
     raw_box: Array
     matrix: Array
@@ -46,9 +39,39 @@ class Surface:
         return self.patch.transformed(self.matrix)
 
 
+@dataclass(frozen=True, eq=False)
+class Surface(AlignedPatch):
+    """The result of ``configure``: the aligned patch and its samples.
+
+    Parameters
+    ----------
+    u, v : (n,) and (m,) parameters of the samples, from 0 to 1
+    raw : (n, m, 3) samples of the raw surface, indexed [iu, iv]
+    transformed : (n, m, 3) the same after ``matrix``
+    """
+
+    u: Array
+    v: Array
+    raw: Array
+    transformed: Array
+
+
 def parameters(samples: int) -> Array:
     """Return the sample parameters of one direction, (samples,) from 0 to 1: counted, never accumulated."""
     return read_only(np.linspace(0.0, 1.0, samples))
+
+
+def align_patch(document: Document) -> AlignedPatch:
+    """Compute a document's surface without keeping samples: what a view needs while something is dragged.
+
+    Boxes and matrix are those of ``configure``, of the document's own samples.
+
+    Raises
+    ------
+    EvaluationError : the coordinates are not finite in double precision
+    """
+    patch = build_patch(document)
+    return _aligned(document, patch, patch.sampled_box(*map(parameters, document.samples)))
 
 
 def configure(document: Document) -> Surface:
@@ -59,20 +82,14 @@ def configure(document: Document) -> Surface:
     EvaluationError : the coordinates are not finite in double precision
     """
     patch = build_patch(document)
-    u, v = (parameters(count) for count in document.samples)
+    u, v = map(parameters, document.samples)
     raw, raw_box = patch.points_and_box(u, v)
+    aligned = _aligned(document, patch, raw_box)
+    transformed = aligned.transformed_patch.points(u, v)
+    return Surface(**vars(aligned), u=u, v=v, raw=raw, transformed=transformed)
+
+
+def _aligned(document: Document, patch: Patch, raw_box: Array) -> AlignedPatch:
     control_box = bounding_box(document.control_points)
     alignment = align(raw_box, control_box)
-    transformed = patch.transformed(alignment.matrix).points(u, v)
-    return Surface(
-        document=document,
-        patch=patch,
-        u=u,
-        v=v,
-        raw=raw,
-        transformed=transformed,
-        control_box=control_box,
-        raw_box=raw_box,
-        matrix=alignment.matrix,
-        flat_axes=alignment.flat_axes,
-    )
+    return AlignedPatch(document, patch, control_box, raw_box, alignment.matrix, alignment.flat_axes)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import Document, Formulation, configure, edits
+from qovr_core import Document, Formulation, align_patch, configure, edits
 from qovr_core.alignment import align
 from qovr_core.presets import preset
 from support.documents import documents, random_document, random_net
@@ -101,6 +101,18 @@ def test_a_net_drawn_together_into_one_point():
     surface = configure(Document(np.full((5, 5, 3), 2.5)))
     assert surface.flat_axes == ("x", "y", "z")
     assert surface.transformed == pytest.approx(np.full((101, 101, 3), 2.5))
+
+
+@pytest.mark.parametrize("samples", [(7, 5), (1200, 150), (101, 101)])
+@pytest.mark.parametrize("formulation", list(Formulation))
+def test_the_aligned_patch_is_that_of_the_whole_pipeline(formulation, samples):
+    document = random_document(9, formulation, samples)
+    whole, light = configure(document), align_patch(document)
+    assert np.array_equal(light.patch.coefficients, whole.patch.coefficients)
+    assert light.raw_box == pytest.approx(whole.raw_box, rel=1e-14)
+    assert light.matrix == pytest.approx(whole.matrix, rel=1e-12)
+    assert light.transformed_patch.points(whole.u, whole.v) == pytest.approx(whole.transformed, abs=1e-12)
+    assert light.flat_axes == whole.flat_axes
 
 
 def test_alignment_by_hand():
