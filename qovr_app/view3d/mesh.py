@@ -15,7 +15,7 @@ FloatArray = npt.NDArray[np.float32]
 Counts = tuple[int, int]
 """Vertices along u and along v."""
 
-MOVING_LIMIT = 101
+MOVING_LIMIT = 61
 """Vertices a side while something moves: finer grids differ in some thousandths of a percent of the
 pixels."""
 

@@ -12,6 +12,9 @@ from qovr_app.view3d.theme import Theme, theme_of
 
 _BAR_ROOM = 104.0
 _AXES_ROOM = 58.0
+_TITLE_ROOM = 92.0
+"""At the left, where the z axis carries numbers and a title side by side."""
+
 _BARE_ROOM = 28.0
 _NARROW = 340.0
 """A viewport narrower than this in logical pixels has no room for a colour bar beside the surface."""
@@ -57,5 +60,6 @@ def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
 def margins(settings: DisplaySettings, size: Size) -> Margins:
     """Return the room that a fitted picture leaves for labels and colour bar."""
     side = _AXES_ROOM if settings.axes else _BARE_ROOM
+    left = _TITLE_ROOM if settings.axes else _BARE_ROOM
     right = _BAR_ROOM if has_colour_bar(settings, size) else side
-    return Margins(left=side, top=_BARE_ROOM, right=right, bottom=side)
+    return Margins(left=left, top=_BARE_ROOM, right=right, bottom=side)
