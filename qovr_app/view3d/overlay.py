@@ -67,7 +67,7 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
 
 @dataclass(frozen=True, eq=False)
 class _Family:
-    """Polylines (k, n, 3) of the unit space that look alike; each run of ``straight`` pieces lies on one line."""
+    """Polylines (k, n, 3) of the unit space that look alike; every ``straight`` pieces lie on one line."""
 
     points: Array
     colour: Rgb

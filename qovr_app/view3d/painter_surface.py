@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.colourmaps import colours_of
-from qovr_app.view3d.mesh import RESTING_LIMIT, Counts, surface_vertices
+from qovr_app.view3d.mesh import Counts, surface_vertices
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.settings import Style
 from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_width
@@ -43,7 +43,7 @@ def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
 
 
 def _counts(picture: Picture) -> Counts:
-    limit = _RESTING_CELLS if picture.vertex_limit == RESTING_LIMIT else _MOVING_CELLS
+    limit = _MOVING_CELLS if picture.moving else _RESTING_CELLS
     return tuple(min(count, limit + 1) for count in picture.counts)
 
 

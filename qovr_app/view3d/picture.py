@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_app.view3d.camera import Camera, Margins, Size
-from qovr_app.view3d.mesh import RESTING_LIMIT, Counts, display_counts
+from qovr_app.view3d.mesh import Counts, display_counts
 from qovr_app.view3d.scene import NetIndex, Scene
 from qovr_app.view3d.settings import DisplaySettings, Style
 from qovr_app.view3d.theme import Theme, theme_of
@@ -27,7 +27,7 @@ class Picture:
     Parameters
     ----------
     scene : None before the first result
-    vertex_limit : vertices a side of the display grid, fewer while something moves
+    moving : draw on a coarser grid, because the next frame is near
     caption : a word in the corner that tells two viewports apart, or nothing
     """
 
@@ -36,7 +36,7 @@ class Picture:
     scene: Scene | None = None
     selected: NetIndex | None = None
     hovered: NetIndex | None = None
-    vertex_limit: int = RESTING_LIMIT
+    moving: bool = False
     caption: str = ""
 
     @property
@@ -49,7 +49,7 @@ class Picture:
         if self.scene is None:
             return (2, 2)
         follow = self.settings.style in (Style.FACETS, Style.POINTS)
-        return display_counts(self.scene.document.samples, self.vertex_limit, follow_samples=follow)
+        return display_counts(self.scene.document.samples, moving=self.moving, follow_samples=follow)
 
 
 def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:

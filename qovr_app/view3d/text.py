@@ -3,6 +3,7 @@ figures."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 
 from PySide6.QtCore import QPointF, Qt
@@ -76,7 +77,7 @@ def draw_text(
     painter.setOpacity(opacity)
     if isinstance(painter.device(), QImage):
         ratio = painter.device().devicePixelRatioF()
-        image = _sprite(runs, colour, pixels, halo, upright, ratio)
+        image = _sprite(_Look(runs, colour, pixels, halo, upright), ratio)
         # A sprite between two pixels would be blurred.
         x, y = (round((value - _PAD) * ratio) / ratio for value in (x, y))
         painter.drawImage(QPointF(x, y), image)
@@ -126,17 +127,28 @@ def _draw_outlines(painter: QPainter, path: QPainterPath, colour: Rgb, halo: Rgb
     painter.fillPath(path, QColor(*colour))
 
 
+@dataclass(frozen=True)
+class _Look:
+    """A text with everything that decides its pixels, but for the device's ratio."""
+
+    runs: Runs
+    colour: Rgb
+    pixels: int
+    halo: Rgb | None
+    upright: bool
+
+
 @lru_cache(maxsize=1024)
-def _sprite(runs: Runs, colour: Rgb, pixels: int, halo: Rgb | None, upright: bool, ratio: float) -> QImage:
-    width, height = text_size(runs, pixels)
+def _sprite(look: _Look, ratio: float) -> QImage:
+    width, height = text_size(look.runs, look.pixels)
     image = blank_image((width + 2 * _PAD + 1, height + 2 * _PAD + 1), ratio)
-    pieces = _pieces(runs, pixels, QPointF(_PAD, _PAD))
+    pieces = _pieces(look.runs, look.pixels, QPointF(_PAD, _PAD))
     with painting(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if halo is not None:
-            painter.strokePath(_outline(pieces), _halo_pen(halo))
-        painter.setPen(QColor(*colour))
+        if look.halo is not None:
+            painter.strokePath(_outline(pieces), _halo_pen(look.halo))
+        painter.setPen(QColor(*look.colour))
         for point, font, text in pieces:
             painter.setFont(font)
             painter.drawText(point, text)
-    return image.transformed(QTransform().rotate(-90)) if upright else image
+    return image.transformed(QTransform().rotate(-90)) if look.upright else image
