@@ -43,11 +43,19 @@ class _Parser(argparse.ArgumentParser):
 
 
 def main(argv: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit code: 0 done, 1 the answer is no, 2 the call or its input is wrong."""
+    """Run one headless command and return its exit code."""
+    return run(build_parser()[0], argv)
+
+
+def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
+    """Run one of a parser's commands and return its exit code.
+
+    0 done, 1 the answer is no, 2 the call or its input is wrong; errors are one line on stderr.
+    """
     _make_streams_robust()
     signal.signal(signal.SIGTERM, _interrupt)
     try:
-        arguments = build_parser().parse_args(argv)
+        arguments = parser.parse_args(argv)
         command: Command = arguments.command
         code = command(arguments)
         sys.stdout.flush()
@@ -65,8 +73,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         return DONE
 
 
-def build_parser() -> argparse.ArgumentParser:
-    """Return the parser of all headless commands."""
+def build_parser() -> tuple[argparse.ArgumentParser, Any]:
+    """Return the parser of all headless commands, and the place where others add theirs."""
     parser = _Parser(prog="qovr", description="Quartic Overhauser (QOVR) surfaces.", epilog=_EPILOG)
     parser.add_argument("--version", action="version", version=f"QOVR Studio {VERSION}")
     commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
@@ -75,7 +83,7 @@ def build_parser() -> argparse.ArgumentParser:
     _add_reproduce(commands)
     _add_presets(commands)
     _add_info(commands)
-    return parser
+    return parser, commands
 
 
 _EPILOG = "SOURCE is a .qovr file, a workbook in the published layout (.xlsx), or paper:NAME, such as paper:fig6b."

@@ -1,0 +1,77 @@
+"""Menus and the view bar, built from the table of commands."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
+
+from qovr_app.actions import Command
+from qovr_app.view3d.settings import Layer
+
+_SEPARATED = {"save", "save_figure", "close", "scaling_each", "camera_paper"}
+"""Commands before which a menu has a line."""
+
+_BAR_CAMERAS = {
+    "camera_paper": "Paper",
+    "camera_top": "Top",
+    "camera_front": "Front",
+    "camera_right": "Right",
+    "fit": "Fit",
+}
+
+
+def fill_menu_bar(bar: QMenuBar, commands: list[Command], actions: dict[str, QAction]) -> None:
+    """Put every command into the menu that its entry names."""
+    menus: dict[str, QMenu] = {}
+    for command in commands:
+        menu = _menu(command.menu, bar, menus)
+        if command.name in _SEPARATED:
+            menu.addSeparator()
+        menu.addAction(actions[command.name])
+
+
+def _menu(path: str, bar: QMenuBar, menus: dict[str, QMenu]) -> QMenu:
+    """Return the menu of a path such as "View/Show", made where it is missing."""
+    key = path.replace("&", "")
+    if key not in menus:
+        parent, _, title = path.rpartition("/")
+        owner = _menu(parent, bar, menus) if parent else bar
+        menus[key] = owner.addMenu(title)
+        menus[key].setObjectName(f"menu.{key.lower()}")
+        menus[key].setToolTipsVisible(True)
+    return menus[key]
+
+
+def make_view_bar(actions: dict[str, QAction], parent: QWidget) -> QToolBar:
+    """Return the bar over the view: which surface, how it looks, and from where."""
+    bar = QToolBar("View", parent)
+    bar.setObjectName("view_bar")
+    bar.setMovable(False)
+    bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+    bar.setIconSize(QSize(16, 16))
+    for layer, text in ((Layer.RAW, "Raw"), (Layer.TRANSFORMED, "Transformed"), (Layer.BOTH, "Both")):
+        _add(bar, actions[f"layer_{layer}"], text)
+    bar.addSeparator()
+    for title, prefix in (("Style", "style_"), ("Colours", "colour_map_"), ("Show", "show_"), ("Scales", "scaling_")):
+        bar.addWidget(_choice(title, [action for name, action in actions.items() if name.startswith(prefix)], bar))
+    bar.addSeparator()
+    for name, text in _BAR_CAMERAS.items():
+        _add(bar, actions[name], text)
+    return bar
+
+
+def _add(bar: QToolBar, action: QAction, text: str) -> None:
+    action.setIconText(text)
+    bar.addAction(action)
+
+
+def _choice(title: str, actions: list[QAction], parent: QWidget) -> QToolButton:
+    button = QToolButton(parent)
+    button.setText(title)
+    button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+    button.setAutoRaise(True)
+    menu = QMenu(button)
+    menu.addActions(actions)
+    button.setMenu(menu)
+    return button

@@ -1,0 +1,145 @@
+"""The session: one document, where it is kept, and its history; the only place that changes any of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QUndoCommand, QUndoStack
+
+from qovr_core import Document
+from qovr_core.files import read_source, write_document
+from qovr_core.files.sources import PRESET_PREFIX
+from qovr_core.presets import preset
+
+FIRST_PRESET = "fig5"
+"""The paper's own example, with which the editor opens."""
+
+DOCUMENT_SUFFIX = ".qovr"
+
+
+class _Replace(QUndoCommand):
+    """One step of the history: the document before and after it.
+
+    Steps of one gesture become one step, whatever lies between its first and its last document.
+    """
+
+    def __init__(self, session: Session, text: str, after: Document, gesture: int | None) -> None:
+        super().__init__(text)
+        self._session = session
+        self._before, self._after = session.document, after
+        self.gesture = gesture
+        self.is_cancelled = False
+
+    def id(self) -> int:
+        return -1 if self.gesture is None else 1
+
+    def redo(self) -> None:
+        self._session._show(self._after)
+
+    def undo(self) -> None:
+        self._session._show(self._before)
+        self.setObsolete(self.is_cancelled)
+
+    def mergeWith(self, other: QUndoCommand) -> bool:
+        if not isinstance(other, _Replace) or other.gesture != self.gesture:
+            return False
+        self._after = other._after
+        self.setText(other.text())
+        self.setObsolete(self._after == self._before)
+        return True
+
+
+class Session(QObject):
+    """A document with its file and its undo history.
+
+    Signals
+    -------
+    document_changed : before and after, two Documents; also when a file is opened
+    location_changed : the file or the title is another one
+    """
+
+    document_changed = Signal(object, object)
+    location_changed = Signal()
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self.history = QUndoStack(self)
+        self._document = preset(FIRST_PRESET).document
+        self._path: Path | None = None
+        self._title = FIRST_PRESET
+
+    @property
+    def document(self) -> Document:
+        """The active state."""
+        return self._document
+
+    @property
+    def path(self) -> Path | None:
+        """The ``.qovr`` file that Save writes; None where the document has none yet."""
+        return self._path
+
+    @property
+    def title(self) -> str:
+        """What to call the document in a window's title."""
+        return self._title
+
+    @property
+    def is_changed(self) -> bool:
+        """Whether there is something that was never saved."""
+        return not self.history.isClean()
+
+    def apply(self, text: str, document: Document, gesture: int | None = None) -> None:
+        """Make a document the active state, as one named step that can be undone.
+
+        Parameters
+        ----------
+        text : the step's name, as "Move P 2,3"
+        gesture : a number that all steps of one drag share; they become one step
+        """
+        if document != self._document or gesture is not None:
+            self.history.push(_Replace(self, text, document, gesture))
+
+    def cancel(self, gesture: int) -> None:
+        """Take a gesture back as if it had never been."""
+        top = self.history.command(self.history.index() - 1)
+        if isinstance(top, _Replace) and top.gesture == gesture:
+            top.is_cancelled = True
+            self.history.undo()
+
+    def open(self, source: str) -> None:
+        """Open a ``.qovr`` file, a workbook in the published layout, or ``paper:NAME``.
+
+        Raises
+        ------
+        QovrError : the source cannot be read; the session stays as it was
+        """
+        document = read_source(source)
+        is_preset = source.startswith(PRESET_PREFIX)
+        path = None if is_preset else Path(source).resolve()
+        self._title = source.removeprefix(PRESET_PREFIX) if path is None else path.name
+        self._path = path if path and path.suffix.lower() == DOCUMENT_SUFFIX else None
+        self.history.clear()
+        self._show(document)
+        self.location_changed.emit()
+
+    def save(self, path: Path | None = None) -> None:
+        """Write the document to its file, or to another that becomes its file.
+
+        Raises
+        ------
+        FileError : the file cannot be written; nothing changes
+        ValueError : there is no file yet and none is given
+        """
+        target = path or self._path
+        if target is None:
+            raise ValueError("the document has no file yet; expected a path to save it to")
+        write_document(self._document, target)
+        self._path, self._title = target.resolve(), target.name
+        self.history.setClean()
+        self.location_changed.emit()
+
+    def _show(self, document: Document) -> None:
+        before, self._document = self._document, document
+        if before != document:
+            self.document_changed.emit(before, document)
