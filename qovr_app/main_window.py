@@ -109,8 +109,8 @@ class MainWindow(QMainWindow):
                 self._settings,
                 self._set_settings,
                 lambda: self._settings,
-                lambda name: self.view.set_camera(name),
-                lambda: self.view.fit(),
+                self._look,
+                self._fit,
             ),
         ]
         return self._table
@@ -153,6 +153,12 @@ class MainWindow(QMainWindow):
         self._settings = settings
         if self._place.view is not None:
             self._place.view.set_settings(settings)
+
+    def _look(self, camera: str) -> None:
+        self.view.set_camera(camera)
+
+    def _fit(self) -> None:
+        self.view.fit()
 
     def _follow_system(self) -> None:
         self._set_settings(replace(self._settings, theme=theme()))
