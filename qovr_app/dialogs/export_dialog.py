@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from math import prod
 from pathlib import Path
 
@@ -65,9 +66,12 @@ class ExportDialog(QDialog):
         self._choose(_FIRST_FORMAT)
 
     @property
-    def path(self) -> Path:
-        """Where to, with the chosen format's suffix."""
-        path = Path(self._path.text().strip()).expanduser()
+    def path(self) -> Path | None:
+        """Where to, with the chosen format's suffix; None where no file is named."""
+        text = self._path.text().strip()
+        path = Path(text)
+        if not path.name or text.endswith(("/", os.sep)):
+            return None
         suffix = self._entry.suffix
         return path if path.suffix.lower() == suffix else path.with_name(path.name + suffix)
 
@@ -152,22 +156,23 @@ class ExportDialog(QDialog):
     def _describe(self) -> None:
         n, m = self._document.samples
         parts = [f"{n} × {m} samples, {prod(self._document.samples):,} points."]
-        if self._path.text().strip() and self.path.is_file():
-            parts.append(f"{self.path.name} exists and will be replaced.")
+        path = self.path
+        if path is not None and path.is_file():
+            parts.append(f"{path.name} exists and will be replaced.")
         self._note.setText("  ".join(parts))
-        self._start.setEnabled(bool(self._path.text().strip()))
+        self._start.setEnabled(path is not None)
 
     def _on_browse(self) -> None:
         kinds = ";;".join(f"{entry.name} (*{entry.suffix})" for entry in FORMATS.values())
         kind = f"{self._entry.name} (*{self._entry.suffix})"
         options = QFileDialog.Option.DontConfirmOverwrite  # the dialog says so itself
-        name, _ = QFileDialog.getSaveFileName(self, "Export Data", str(self.path), kinds, kind, options)
+        name, _ = QFileDialog.getSaveFileName(self, "Export Data", self._path.text(), kinds, kind, options)
         if name:
             self._path.setText(name)
             self._on_path_typed(name)
 
     def _run(self) -> None:
-        if self._job is not None:
+        if self._job is not None or self.path is None:
             return
         self._set_running(True)
         self._job = ExportJob(self._document, self._entry, self.path, self)

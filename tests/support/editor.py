@@ -21,6 +21,15 @@ def name_of(place):
     return f"column_knots.K_{place.curve}.{place.name.replace('u', 'v')}"
 
 
+def wait_until(happened, seconds=30.0):
+    """Let the event loop run until something is true."""
+    for _ in range(int(seconds * 100)):
+        if happened():
+            return
+        QTest.qWait(10)
+    raise AssertionError("it did not happen in time")
+
+
 class Editor:
     def __init__(self, window, size):
         self.window = window
@@ -37,6 +46,7 @@ class Editor:
     def settle(self):
         for _ in range(3):
             QApplication.processEvents()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
 
     def find(self, name, kind=QWidget):
         (found,) = self.window.findChildren(kind, name)
@@ -83,7 +93,7 @@ class Editor:
         assert box.currentText() == text
 
     def dialog(self, name):
-        QTest.qWaitFor(lambda: self.window.findChild(QDialog, name) is not None)
+        wait_until(lambda: self.window.findChild(QDialog, name) is not None)
         return self.find(name, QDialog)
 
     def move_slider(self, name, steps):
@@ -115,7 +125,7 @@ class Editor:
         field.selectAll()
         QTest.keyClicks(field, str(path))
         QTest.mouseClick(dialog.findChild(QAbstractButton, "export.start"), Qt.MouseButton.LeftButton)
-        assert QTest.qWaitFor(lambda: self.window.findChild(QDialog, "export") is None, 60_000)
+        wait_until(lambda: self.window.findChild(QDialog, "export") is None, 60)
         self.settle()
 
     def disagreements(self):
