@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import secrets
 import time
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -16,9 +17,6 @@ from qovr_core.files.atomic import replacing
 from qovr_core.files.qovr_document import document_from_json, document_to_json
 
 _SUFFIX = ".unsaved.json"
-_KEEP_MILLISECONDS = 250
-"""During a drag the document is kept this often; a single edit is kept at once."""
-
 _STALE_PART_SECONDS = 3600.0
 """A half-written draft older than this was left by a killed process: no write takes so long."""
 
@@ -150,8 +148,15 @@ def _claimed(file: Path) -> Unsaved | None:
         return None
 
 
+Snapshot = tuple[Document, str, Path | None]
+"""A document with its title and its file."""
+
+
 class Keeper(QObject):
     """Keeps a session's document in a recovery store for as long as it is not saved.
+
+    A thread of its own writes, always the latest document: a slow disk delays no drag, and a kill loses at most what
+    was set while one small file was written.
 
     Signals
     -------
@@ -164,31 +169,36 @@ class Keeper(QObject):
         super().__init__(parent)
         self._session, self._store = session, store
         self._has_failed = False
-        self._last = 0.0
-        self._pause = QTimer(self, singleShot=True)
-        self._pause.timeout.connect(self._keep)
-        session.document_changed.connect(self._plan)
-        session.location_changed.connect(self._plan)
-        session.history.cleanChanged.connect(self._plan)
+        self._wanted: list[Snapshot | None] = []
+        self._writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recovery")
+        self._turn = QTimer(self, singleShot=True, interval=0)  # the history knows only then whether it is clean
+        self._turn.timeout.connect(self._hand_over)
+        session.document_changed.connect(self._turn.start)
+        session.location_changed.connect(self._turn.start)
+        session.history.cleanChanged.connect(self._turn.start)
 
     def close(self) -> None:
         """Forget the document: it is saved, or nobody wants it."""
-        self._pause.stop()
+        self._turn.stop()
+        self._writer.shutdown(wait=True)
         self._store.close()
 
-    def _plan(self) -> None:
-        if not self._pause.isActive():
-            since = (time.monotonic() - self._last) * 1000
-            self._pause.start(max(0, round(_KEEP_MILLISECONDS - since)))
+    def _hand_over(self) -> None:
+        session = self._session
+        self._wanted.append((session.document, session.title, session.path) if session.is_changed else None)
+        self._writer.submit(self._write)
 
-    def _keep(self) -> None:
-        self._last = time.monotonic()
-        if not self._session.is_changed:
-            self._store.forget()
-            return
+    def _write(self) -> None:
+        if not self._wanted:
+            return  # an earlier call has written the latest already
+        snapshot = self._wanted[-1]
+        self._wanted.clear()
         try:
-            self._store.keep(self._session.document, self._session.title, self._session.path)
-        except FileError as error:
+            if snapshot is None:
+                self._store.forget()
+            else:
+                self._store.keep(*snapshot)
+        except (FileError, OSError) as error:
             if not self._has_failed:
                 self._has_failed = True
                 self.failed.emit(f"A crash would lose the unsaved changes: {error}.")

@@ -35,7 +35,7 @@ def go_commands(window: MainWindow) -> list[Command]:
         ("view", "3D &view", window.focus_view),
     )
     return [
-        Command(f"go_{name}", text, go, "View/&Go to", f"Alt+{number}")
+        Command(f"go_{name}", text, go, "&View/&Go to", f"Alt+{number}")
         for number, (name, text, go) in enumerate(places, start=1)
     ]
 
@@ -131,7 +131,7 @@ def _surface_commands(window: MainWindow) -> list[Command]:
         ),
         Command(
             "link_curves",
-            "Link &curves",
+            "Link c&urves",
             window.link_curves,
             "&Surface",
             "Ctrl+K",

@@ -43,14 +43,6 @@ class FieldZone(QFrame):
         self.fields: dict[Place, NumberField] = {}
         self._focused: Place | None = None
         self._title = QLabel(title_html(ZONE_TITLES[zone], aside), self)
-        self._count = QLabel(self)
-        title = ZONE_TITLES[zone].lower()
-        self._get = CompactButton("Get Values", f"{zone}.get", f"Read the active {title} back into the fields", self)
-        self._set = CompactButton("Set Values", f"{zone}.set", f"Make the fields the active {title}, all or none", self)
-        self._get.setAccessibleName(f"Get Values of the {title}")
-        self._set.setAccessibleName(f"Set Values of the {title}")
-        self._get.clicked.connect(self.get_values)
-        self._set.clicked.connect(self.set_values)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(*MARGINS)
         self._layout.setSpacing(SPACE)
@@ -142,6 +134,15 @@ class FieldZone(QFrame):
         self._focused = place
 
     def _make_buttons(self) -> QHBoxLayout:
+        """Return the row of Get and Set; made after the fields, because Tab goes in the order of making."""
+        zone, title = self.zone, ZONE_TITLES[self.zone].lower()
+        self._count = QLabel(self)
+        self._get = CompactButton("Get Values", f"{zone}.get", f"Read the active {title} back into the fields", self)
+        self._set = CompactButton("Set Values", f"{zone}.set", f"Make the fields the active {title}, all or none", self)
+        self._get.setAccessibleName(f"Get Values of the {title}")
+        self._set.setAccessibleName(f"Set Values of the {title}")
+        self._get.clicked.connect(self.get_values)
+        self._set.clicked.connect(self.set_values)
         row = QHBoxLayout()
         row.setSpacing(SPACE)
         row.addWidget(self._count, 1)

@@ -33,6 +33,7 @@ def wait_until(happened, seconds=30.0):
 class Editor:
     def __init__(self, window, size):
         self.window = window
+        self.is_discarded = False
         window.resize(*size)
         window.show()
         window.activateWindow()
@@ -139,6 +140,9 @@ class Editor:
         return wrong
 
     def discard(self):
+        if self.is_discarded:
+            return
+        self.is_discarded = True
         self.window.session.history.setClean()
         self.window.close()
         self.window.deleteLater()
