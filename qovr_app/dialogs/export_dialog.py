@@ -107,7 +107,7 @@ class ExportDialog(QDialog):
             item = QTreeWidgetItem([entry.name, entry.suffix, entry.keeps])
             item.setData(0, Qt.ItemDataRole.UserRole, entry.suffix)
             item.setToolTip(2, entry.keeps)
-            item.setSizeHint(0, QSize(0, tree.fontMetrics().height() + _ROW_BEYOND_TEXT))
+            item.setSizeHint(2, QSize(0, tree.fontMetrics().height() + _ROW_BEYOND_TEXT))
             tree.addTopLevelItem(item)
         for column in range(2):
             tree.resizeColumnToContents(column)

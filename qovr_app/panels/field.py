@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QPainter, QPen
+from PySide6.QtGui import QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QPainter
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from qovr_app.panels.bursts import Bursts
+from qovr_app.panels.cell import Marks, paint_cell
 from qovr_app.panels.look import look, number_font, see_through
 from qovr_app.panels.numbers import fitted_text, is_block, number_text, typed_number
 from qovr_core import QovrError
 
 _PADDING = 4
 _HEIGHT_BEYOND_TEXT = 4
-_RADIUS = 3.0
-_BAR = 3.0
 _STEP_DECIMALS = 12
 """A step is rounded to this many decimals, so that 0.1 + 0.2 is 0.3."""
 
@@ -262,38 +261,23 @@ class NumberField(QLineEdit):
         self.update()
 
     def paintEvent(self, event: QEvent) -> None:
-        self._paint_cell()
+        painter = QPainter(self)
+        paint_cell(painter, QRectF(self.rect()), self._marks())
+        painter.end()
         if self.hasFocus():
             super().paintEvent(event)
         else:
             self._paint_text()
 
-    def _paint_cell(self) -> None:
-        colours = look()
-        fill, edge = colours.cell, colours.hover if self.underMouse() else colours.edge
-        bar = None
-        if self._warning:
-            fill, bar = colours.warn_cell, colours.warn
-        if self.is_pending:
-            fill, bar = colours.accent_cell, colours.accent
-        if self._error:
-            fill, edge, bar = colours.bad_cell, colours.bad, colours.bad
-        elif self.hasFocus() or self._is_marked:
-            edge = colours.accent
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        frame = QRectF(self.rect()).adjusted(0.5, 0.5, -0.5, -0.5)
-        painter.setPen(QPen(edge, 1.0))
-        painter.setBrush(fill)
-        painter.drawRoundedRect(frame, _RADIUS, _RADIUS)
-        if self.hasFocus():
-            painter.setPen(QPen(edge, 1.0))
-            painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.drawRoundedRect(frame.adjusted(1, 1, -1, -1), _RADIUS - 1, _RADIUS - 1)
-        if bar is not None:
-            painter.setPen(Qt.PenStyle.NoPen)
-            painter.setBrush(bar)
-            painter.drawRoundedRect(QRectF(1, 1, _BAR, self.height() - 2), 1.5, 1.5)
+    def _marks(self) -> Marks:
+        return Marks(
+            is_pending=self.is_pending,
+            is_bad=bool(self._error),
+            is_warned=bool(self._warning),
+            is_marked=self._is_marked,
+            has_focus=self.hasFocus(),
+            is_hovered=self.underMouse(),
+        )
 
     def _paint_text(self) -> None:
         colours, painter = look(), QPainter(self)

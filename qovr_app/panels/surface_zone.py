@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QScrollAre
 
 from qovr_app.panels.look import SPACE
 from qovr_app.panels.number_table import NumberTable
-from qovr_app.panels.parts import MARGINS, CompactButton, Note, symbol, title_html
+from qovr_app.panels.parts import MARGINS, CompactButton, symbol, title_html
 from qovr_app.panels.samples_field import SamplesField
 from qovr_app.panels.symbols import symbol_html
 from qovr_core import AlignedPatch, Document, Formulation
@@ -50,7 +50,7 @@ class SurfaceZone(QFrame):
         )
         self._export = CompactButton("Export Data…", "surface.export", "", self)
         self._figure = CompactButton("Save Figure…", "surface.figure", "Write what the view shows as a picture", self)
-        self._state = Note("surface.state", self)
+        self._state = QLabel(self, objectName="surface.state")
         self._boxes = NumberTable(
             "surface.boxes",
             "Bounding boxes of the control points and of the raw surface",
@@ -106,13 +106,18 @@ class SurfaceZone(QFrame):
         )
         for table in (self._boxes, self._matrix):
             table.set_quiet(is_stale)
+        flat = ", ".join(result.flat_axes) if result is not None else ""
         if is_stale:
-            self._state.say("<b>Stale.</b> View and numbers are of the surface configured last.")
-        elif result is not None and result.flat_axes:
-            axes = ", ".join(result.flat_axes)
-            self._state.say(f"The raw surface is flat along {axes}: T only moves it there.")
+            self._say("older than what is set", "View and numbers are of the surface configured last.")
+        elif flat:
+            self._say(f"flat along {flat}", f"The raw surface has no extent along {flat}: there T only moves it.")
         else:
-            self._state.say("")
+            self._say("", "")
+
+    def _say(self, text: str, why: str) -> None:
+        self._state.setText(text)
+        self._state.setToolTip(why)
+        self._state.setAccessibleDescription(why)
 
     def _samples_field(self, parameter: str) -> SamplesField:
         field = SamplesField(parameter, self)
@@ -144,17 +149,18 @@ class SurfaceZone(QFrame):
         buttons.addWidget(self._figure)
         buttons.addStretch(1)
         configure = QHBoxLayout()
+        configure.setSpacing(2 * SPACE)
         configure.addWidget(self._configure)
-        configure.addStretch(1)
+        configure.addWidget(self._state, 1)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(*MARGINS)
         layout.setSpacing(SPACE)
         layout.addWidget(QLabel(title_html("Surface", f"{symbol_html('QOVR', '')}(<i>u</i>, <i>v</i>)"), self))
         layout.addLayout(choices)
         layout.addLayout(configure)
-        layout.addWidget(self._numbers(), 1)
-        layout.addWidget(self._state)
+        layout.addWidget(self._numbers())
         layout.addLayout(buttons)
+        layout.addStretch(1)
 
     def _numbers(self) -> QScrollArea:
         """Return boxes and T, which scroll where the window is low."""
@@ -164,10 +170,10 @@ class SurfaceZone(QFrame):
         tables.setSpacing(SPACE)
         tables.addWidget(self._boxes)
         tables.addWidget(self._matrix)
-        tables.addStretch(1)
         area = QScrollArea(self)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(inside)
+        area.setMaximumHeight(inside.sizeHint().height())
         return area

@@ -1,0 +1,76 @@
+"""Control points dragged in the view: fields, surface and history follow."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtTest import QTest
+
+from qovr_core.presets import preset
+
+FIG5 = preset("fig5").document
+LEFT = Qt.MouseButton.LeftButton
+
+
+def place_of(editor, i, j):
+    """Return where a control point is seen, in the viewport's pixels."""
+    picture, viewport = editor.window.view.picture(), editor.window.view.viewports[0]
+    spot = picture.camera.project(picture.scene.points[i, j][None], viewport.logical_size)
+    x, y = np.asarray(spot).reshape(-1)[:2]
+    return viewport, QPoint(round(x), round(y))
+
+
+@pytest.fixture
+def drag(editor):
+    """A function that takes hold of P_4_2, moves it up step by step, and says what the fields showed meanwhile."""
+
+    def run(end):
+        viewport, at = place_of(editor, 4, 2)
+        QTest.mousePress(viewport, LEFT, pos=at)
+        seen = []
+        for _ in range(6):
+            at -= QPoint(0, 8)
+            QTest.mouseMove(viewport, at)
+            QTest.qWait(10)
+            seen.append(editor.text("control_points.P_4_2.z"))
+        if end == "escape":
+            QTest.keyClick(viewport, Qt.Key.Key_Escape)
+        QTest.mouseRelease(viewport, LEFT, pos=at)
+        editor.settle()
+        return seen
+
+    return run
+
+
+def test_a_drag_is_one_step_and_the_fields_follow(editor, drag):
+    results = []
+    editor.window.controller.result_changed.connect(results.append)
+    seen = drag("release")
+    assert len(set(seen)) == 6
+    assert len(results) >= 6
+    assert editor.window.session.history.count() == 1
+    assert editor.action("undo").text() == "&Undo Move P 4,2"
+    assert editor.disagreements() == []
+    assert editor.field("control_points.P_4_2.z")._is_marked
+    editor.trigger("undo")
+    assert editor.document == FIG5
+
+
+def test_escape_puts_the_point_back_and_leaves_no_step(editor, drag):
+    assert len(set(drag("escape"))) == 6
+    assert editor.document == FIG5
+    assert not editor.action("undo").isEnabled()
+    assert not editor.action("redo").isEnabled()
+    assert editor.disagreements() == []
+
+
+def test_staged_the_net_follows_and_the_surface_waits(editor, drag):
+    editor.trigger("live")
+    before = editor.window.controller.state.result
+    drag("release")
+    state = editor.window.controller.state
+    assert state.result is before
+    assert state.is_stale
+    assert np.array_equal(editor.window.view.picture().scene.document.control_points, editor.document.control_points)
+    assert editor.find("view.stale").isVisible()
+    editor.trigger("undo")
+    assert not editor.find("view.stale").isVisible()
