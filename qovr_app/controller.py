@@ -65,7 +65,7 @@ class Controller(QObject):
         self._is_live = self._links_curves = True
         self._links_directions = False
         self._turn = QTimer(self, singleShot=True, interval=0)
-        self._turn.timeout.connect(self._settle)
+        self._turn.timeout.connect(self.settle)
         session.document_changed.connect(self._on_document_changed)
         session.opened.connect(self._on_opened)
 
@@ -149,6 +149,13 @@ class Controller(QObject):
             self._result = result
         self._show()
 
+    def settle(self) -> None:
+        """Compute and show now what this turn of the event loop would end with."""
+        if self._result is None or (self._is_live and self.state.is_stale):
+            self.configure()
+        else:
+            self._show()
+
     # The one way
 
     def _change(self, text: str, edit: Callable[[Document], Document], gesture: int = 0) -> None:
@@ -182,18 +189,16 @@ class Controller(QObject):
         self._draft = self._session.document
         self._turn.start()
 
-    def _settle(self) -> None:
-        if self._result is None or (self._is_live and self.state.is_stale):
-            self.configure()
-        else:
-            self._show()
-
     def _show(self) -> None:
         self._turn.stop()
         state = self.state
         shown = (state.result, state.document)
         if state.result is not None and shown != self._shown:
             self._shown = shown
-            result = replace(state.result, document=state.document) if state.is_stale else state.result
-            self.result_changed.emit(result)
+            self.result_changed.emit(_with_net(state.result, state.document) if state.is_stale else state.result)
         self.state_changed.emit(state)
+
+
+def _with_net(result: AlignedPatch, document: Document) -> AlignedPatch:
+    """Return a result with the net of a later document; its knots may be such that no curve can be drawn."""
+    return replace(result, document=edits.copy_zone(document, result.document, Zone.CONTROL_POINTS))

@@ -114,7 +114,7 @@ class MainWindow(QMainWindow):
         space, surface, history = self.workspace, self.workspace.surface, self.session.history
         space.place.filled.connect(self._on_view_came)
         space.points.point_focused.connect(self._on_point_focused)
-        surface.export_requested.connect(self.desk.export)
+        surface.export_requested.connect(self.export)
         surface.figure_requested.connect(self.desk.save_figure)
         self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.opened.connect(self._on_opened)
@@ -241,6 +241,22 @@ class MainWindow(QMainWindow):
         """Paste a spreadsheet's block into the zone that has the keyboard."""
         self.workspace.current_zone().paste_block(QGuiApplication.clipboard().text())
 
+    def save(self) -> None:
+        """Save the document, with what is just being typed."""
+        self.workspace.commit_typed()
+        self.desk.save()
+
+    def save_as(self) -> None:
+        """Save the document, with what is just being typed, to another file."""
+        self.workspace.commit_typed()
+        self.desk.save_as()
+
+    def export(self) -> None:
+        """Export the configured surface, with what is just being typed where edits are live."""
+        self.workspace.commit_typed()
+        self.controller.settle()
+        self.desk.export()
+
     def show_help(self) -> None:
         """Show the help beside the work."""
         if self._help is None:
@@ -288,6 +304,7 @@ class MainWindow(QMainWindow):
         self.desk.open_source(_dropped_source(event))
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        self.workspace.commit_typed()
         if not self.desk.may_leave():
             event.ignore()
             return

@@ -62,9 +62,9 @@ def _file_commands(window: MainWindow) -> list[Command]:
             )
             for name, entry in presets().items()
         ),
-        Command("save", "&Save", desk.save, "&File", key.Save),
-        Command("save_as", "Save &As…", desk.save_as, "&File", key.SaveAs),
-        Command("export", "&Export Data…", desk.export, "&File", "Ctrl+E", tip="Write the configured surface"),
+        Command("save", "&Save", window.save, "&File", key.Save),
+        Command("save_as", "Save &As…", window.save_as, "&File", key.SaveAs),
+        Command("export", "&Export Data…", window.export, "&File", "Ctrl+E", tip="Write the configured surface"),
         Command("save_figure", "Save Fi&gure…", desk.save_figure, "&File", "Ctrl+G"),
         Command("close", "&Close", window.close, "&File", key.Close),
     ]

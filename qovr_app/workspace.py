@@ -6,6 +6,7 @@ from PySide6.QtCore import QByteArray, Qt
 from PySide6.QtWidgets import QApplication, QSizePolicy, QToolBar, QVBoxLayout, QWidget
 
 from qovr_app.controller import Controller, State
+from qovr_app.panels.field import NumberField
 from qovr_app.panels.knots_zone import KnotsZone
 from qovr_app.panels.points_zone import PointsZone
 from qovr_app.panels.splitter import LineSplitter
@@ -49,6 +50,12 @@ class Workspace(LineSplitter):
             zone.show_documents(state.document, state.draft)
         self.surface.show_state(state.document, state.result, is_stale=state.is_stale)
         self.place.set_stale(state.is_stale)
+
+    def commit_typed(self) -> None:
+        """Take what is typed in the field that has the keyboard, as leaving the field would."""
+        widget = QApplication.focusWidget()
+        if isinstance(widget, NumberField) and self.isAncestorOf(widget):
+            widget.commit()
 
     def drop_text(self) -> None:
         """Drop what is typed in any zone and was never taken."""

@@ -26,7 +26,7 @@ from PySide6.QtWidgets import (
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.export_job import ExportJob
-from qovr_core import Document
+from qovr_core import Document, QovrError
 from qovr_core.files import FORMATS, Format
 
 _PROGRESS_PARTS = 1000
@@ -164,8 +164,18 @@ class ExportDialog(QDialog):
         path = self.path
         if path is not None and path.is_file():
             parts.append(f"{path.name} exists and will be replaced.")
-        self._note.setText("  ".join(parts))
-        self._start.setEnabled(path is not None)
+        refusal = self._refusal(path)
+        self._note.setText(refusal or "  ".join(parts))
+        self._start.setEnabled(path is not None and not refusal)
+
+    def _refusal(self, path: Path | None) -> str:
+        """Return why the format cannot hold the document; empty where it can."""
+        try:
+            if path is not None:
+                self._entry.check(self._document, path)
+        except QovrError as error:
+            return f"{error}."
+        return ""
 
     def _on_browse(self) -> None:
         kinds = ";;".join(f"{entry.name} (*{entry.suffix})" for entry in FORMATS.values())

@@ -215,3 +215,31 @@ def test_the_inputs_beside_a_csv_are_the_document(editor, home):
     editor.type_into("surface.samples_u", "5")
     editor.export_to(home / "t.csv")
     assert json.loads((home / "t.inputs.json").read_text())["document"]["samples"] == [5, 101]
+
+
+def test_what_is_just_being_typed_is_saved(editor, home, names):
+    names.append(home / "typed.qovr")
+    editor.type_into("row_knots.C_0.r", "0.3", end=None)
+    editor.key(Qt.Key.Key_S, Qt.KeyboardModifier.ControlModifier)
+    assert {knots.r for knots in read_document(home / "typed.qovr").row_knots} == {0.3}
+
+
+def test_what_a_format_cannot_hold_is_said_before_any_work(editor):
+    for parameter in "uv":
+        editor.type_into(f"surface.samples_{parameter}", "2000")
+    editor.click("surface.export")
+    dialog = editor.dialog("export")
+    assert "the rows of one sheet" in dialog.findChild(QLabel, "export.note").text()
+    assert not dialog.findChild(QAbstractButton, "export.start").isEnabled()
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+
+
+def test_a_surface_that_overflows_is_no_surface(editor):
+    editor.type_into("column_knots.K_0.r", "1e-300")
+    assert editor.document.column_knots[0].r == 1e-300
+    assert "no finite coordinates" in editor.message()
+    assert not editor.find("surface.export").isEnabled()
+    assert editor.find("view.stale").isVisible()
+    editor.trigger("undo")
+    assert editor.find("surface.export").isEnabled()
+    assert editor.message() == ""
