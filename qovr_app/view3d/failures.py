@@ -1,0 +1,19 @@
+"""The one place where errors raised while painting go: a log record that tests turn into failures."""
+
+from __future__ import annotations
+
+import logging
+
+LOGGER = logging.getLogger("qovr_app.view3d")
+
+
+def report(error: BaseException, doing: str) -> str:
+    """Log an error with its traceback and return one line for the user.
+
+    Parameters
+    ----------
+    doing : what was being done, as the object of "while"
+    """
+    LOGGER.error("error while %s", doing, exc_info=error)
+    text = " ".join(str(error).split()) or type(error).__name__
+    return f"OpenGL failed while {doing}: {text}"

@@ -1,0 +1,51 @@
+"""Shader programs: read from the resources, given the right version line, and checked."""
+
+from __future__ import annotations
+
+from functools import cache
+from importlib.resources import files
+
+from PySide6.QtGui import QOpenGLContext
+from PySide6.QtOpenGL import QOpenGLShader, QOpenGLShaderProgram
+
+_DESKTOP_HEAD = "#version 140\n"
+_ES_HEAD = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+
+
+class ShaderError(RuntimeError):
+    """A shader that this driver does not compile or link; the text is the driver's."""
+
+
+@cache
+def _source(name: str) -> str:
+    return files("qovr_resources").joinpath("shaders", name).read_text(encoding="utf-8")
+
+
+def link_program(
+    name: str, *, defines: dict[str, str] | None = None, attributes: tuple[str, ...] = ()
+) -> QOpenGLShaderProgram:
+    """Return the program of ``NAME.vert`` and ``NAME.frag`` for the current context.
+
+    Parameters
+    ----------
+    defines : macros set in both shaders
+    attributes : vertex attributes in the order of their locations
+
+    Raises
+    ------
+    ShaderError : the driver refuses it
+    """
+    head = _ES_HEAD if QOpenGLContext.currentContext().isOpenGLES() else _DESKTOP_HEAD
+    head += "".join(f"#define {key} {value}\n" for key, value in (defines or {}).items())
+    program = QOpenGLShaderProgram()
+    for kind, suffix in (
+        (QOpenGLShader.ShaderTypeBit.Vertex, "vert"),
+        (QOpenGLShader.ShaderTypeBit.Fragment, "frag"),
+    ):
+        if not program.addShaderFromSourceCode(kind, head + _source(f"{name}.{suffix}")):
+            raise ShaderError(f"{name}.{suffix}: {program.log().strip()}")
+    for location, attribute in enumerate(attributes):
+        program.bindAttributeLocation(attribute, location)
+    if not program.link():
+        raise ShaderError(f"{name}: {program.log().strip()}")
+    return program

@@ -1,0 +1,144 @@
+"""A viewport drawn by OpenGL: backdrop image, surface, overlay image."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from OpenGL import GL
+from pyqtgraph.opengl import GLViewWidget
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QImage, QMatrix4x4, QOffscreenSurface, QOpenGLContext
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.view3d import failures
+from qovr_app.view3d.backdrop import backdrop_key, draw_backdrop
+from qovr_app.view3d.camera import Size
+from qovr_app.view3d.canvas import blank_image, painting
+from qovr_app.view3d.gl_figure import surface_image
+from qovr_app.view3d.gl_layer import ImageLayer
+from qovr_app.view3d.overlay import draw_overlay
+from qovr_app.view3d.picture import Picture
+from qovr_app.view3d.probe import gl_support, viewport_format
+from qovr_app.view3d.surface_item import Shot, SurfaceItem
+
+
+class GlViewport(GLViewWidget):
+    """Shows a picture with OpenGL.
+
+    ``painted`` tells that a frame has reached the window; ``failed`` that this widget cannot draw, with the
+    reason.
+    """
+
+    painted = Signal()
+    failed = Signal(str)
+
+    def __init__(self, picture: Picture, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setFormat(viewport_format(gl_support()))
+        self._picture = picture
+        self._surface = SurfaceItem()
+        self._backdrop, self._overlay = ImageLayer(), ImageLayer()
+        self._backdrop_key: object = None
+        self._overlay_image = QImage()
+        self._broken = False
+        self.addItem(self._surface)
+        self._gl_things = (self._surface, self._backdrop, self._overlay)
+        self.frameSwapped.connect(self.painted)
+        self.destroyed.connect(partial(_release, self._gl_things))
+
+    def set_picture(self, picture: Picture) -> None:
+        """Show another picture in the next frame."""
+        self._picture = picture
+        self.update()
+
+    @property
+    def logical_size(self) -> Size:
+        """Width and height in logical pixels, at least 1."""
+        return max(1.0, float(self.width())), max(1.0, float(self.height()))
+
+    def image(self) -> QImage:
+        """Return what is seen, freshly drawn."""
+        return self.grabFramebuffer()
+
+    def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
+        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical
+        pixels."""
+        self.makeCurrent()
+        try:
+            return surface_image(picture, size, pixels)
+        finally:
+            self.doneCurrent()
+
+    def projectionMatrix(self, region: object, viewport: object) -> QMatrix4x4:  # noqa: ARG002
+        return QMatrix4x4(self._picture.camera.projection_matrix(self.logical_size).ravel().tolist())
+
+    def viewMatrix(self) -> QMatrix4x4:
+        return QMatrix4x4(self._picture.camera.view_matrix().ravel().tolist())
+
+    def initializeGL(self) -> None:
+        try:
+            super().initializeGL()
+            self._start()
+        except Exception as error:  # whatever a driver does, the view goes on without it
+            self._fail(error, "starting")
+
+    def paintGL(self) -> None:
+        if self._broken:
+            return
+        try:
+            self._paint_frame()
+        except Exception as error:
+            self._fail(error, "drawing")
+
+    def _start(self) -> None:
+        """Begin with a new context, which knows nothing of what an earlier one was given."""
+        self._backdrop_key = None
+        for thing in self._gl_things:
+            thing.forget()
+
+    def _fail(self, error: Exception, doing: str) -> None:
+        self._broken = True
+        self.failed.emit(failures.report(error, doing))
+
+    def _paint_frame(self) -> None:
+        picture, size, ratio = self._picture, self.logical_size, self.devicePixelRatioF()
+        key = (*backdrop_key(picture, size), ratio)
+        if key != self._backdrop_key:
+            image = blank_image(size, ratio)
+            with painting(image) as painter:
+                draw_backdrop(painter, picture, size)
+            self._backdrop.upload(image)
+            self._backdrop_key = key
+        GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
+        self._backdrop.draw(blended=False)
+        camera = picture.camera
+        self._surface.show_picture(picture, Shot(camera.matrix(size), camera.axes, ratio))
+        self.drawItemTree()
+        self._overlay_image = blank_image(size, ratio, self._overlay_image)
+        with painting(self._overlay_image) as painter:
+            draw_overlay(painter, picture, size)
+        self._overlay.upload(self._overlay_image)
+        self._overlay.draw(blended=True)
+
+    def drawItemTree(self, item: object = None, useItemNames: bool = False) -> None:  # noqa: ARG002, N803
+        """Draw the items. The base class prints and swallows what they raise; here it must reach
+        ``paintGL``."""
+        for each in sorted(self.items, key=lambda item: item.depthValue()):
+            if each.visible():
+                each.paint()
+
+
+def _release(things: tuple[SurfaceItem | ImageLayer, ...]) -> None:
+    """Destroy the GL objects of a viewport that is gone, its context with it: they live on in the shared
+    one."""
+    context = QOpenGLContext.globalShareContext()
+    if context is None:
+        return
+    surface = QOffscreenSurface()
+    surface.setFormat(context.format())
+    surface.create()
+    if context.makeCurrent(surface):
+        for thing in things:
+            thing.release()
+        context.doneCurrent()
+    surface.destroy()

@@ -1,0 +1,100 @@
+"""The surface without OpenGL: cells sorted from far to near and painted over one another."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from qovr_app.view3d.camera import Size
+from qovr_app.view3d.colourmaps import colours_of
+from qovr_app.view3d.mesh import RESTING_LIMIT, Counts, surface_vertices
+from qovr_app.view3d.picture import Picture
+from qovr_app.view3d.settings import Style
+from qovr_app.view3d.surface_look import POINT_SIZE, line_colour, line_width
+from qovr_core.arrays import Array
+
+_MOVING_CELLS, _RESTING_CELLS = 30, 60
+"""Cells a side: painting one takes microseconds, and orbiting has to stay fluent."""
+
+_KEY_LIGHT = np.array([-0.36, 0.48, 0.80])
+"""As in the surface's fragment shader."""
+
+_SEAM = 0.6
+"""Width of the outline in a cell's own colour that closes the gaps between antialiased neighbours."""
+
+
+def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
+    """Paint the surface of a picture; the painter's units are logical pixels."""
+    scene, settings = picture.scene, picture.settings
+    if scene is None or not settings.surface:
+        return
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    vertices = surface_vertices(scene.patch, _counts(picture)).astype(np.float64)
+    seen = picture.camera.project(vertices[..., :3], size)
+    if settings.style is Style.POINTS:
+        _paint_points(painter, picture, vertices, seen)
+    else:
+        _paint_cells(painter, picture, vertices, seen)
+
+
+def _counts(picture: Picture) -> Counts:
+    limit = _RESTING_CELLS if picture.vertex_limit == RESTING_LIMIT else _MOVING_CELLS
+    return tuple(min(count, limit + 1) for count in picture.counts)
+
+
+def _cells(values: Array) -> Array:
+    """Return the four corners of every cell, ((n - 1) (m - 1), 4, k), the first one being [iu, iv]."""
+    corners = [values[:-1, :-1], values[1:, :-1], values[1:, 1:], values[:-1, 1:]]
+    return np.stack(corners, axis=2).reshape(-1, 4, values.shape[-1])
+
+
+def _paint_cells(painter: QPainter, picture: Picture, vertices: Array, seen: Array) -> None:
+    style = picture.settings.style
+    corners, cells = _cells(seen), _cells(vertices)
+    in_front = np.isfinite(corners).all(axis=(1, 2))
+    corners, cells = corners[in_front], cells[in_front]
+    order = np.argsort(-corners[..., 2].mean(axis=1))
+    colours = _cell_colours(picture, cells)[order].tolist()
+    red, green, blue, alpha = line_colour(picture.theme, picture.settings)
+    pen = QPen(QColor.fromRgbF(red, green, blue, alpha * 0.7), line_width(style) * 0.8)
+    pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for outline, colour in zip(corners[order, :, :2].tolist(), colours, strict=True):
+        fill = QColor(*colour)
+        if style is Style.WIREFRAME:
+            painter.setPen(QPen(fill, line_width(style)))
+        else:
+            painter.setBrush(fill)
+            painter.setPen(pen if alpha else QPen(fill, _SEAM))
+        painter.drawConvexPolygon(QPolygonF([QPointF(x, y) for x, y in outline]))
+
+
+def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
+    """Return red, green and blue of every cell (k, 4, 6): by its first corner in facets, else by its
+    middle."""
+    low, high = picture.scene.unit_heights
+    colour_map = picture.settings.colour_map
+    if picture.settings.style is Style.FACETS:
+        return colours_of(cells[:, 0, 2], low, high, colour_map)
+    colours = colours_of(cells[..., 2].mean(axis=1), low, high, colour_map)
+    if picture.settings.style is Style.WIREFRAME:
+        return colours
+    normals = cells[..., 3:].mean(axis=1) @ picture.camera.axes.T
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
+    normals *= np.where(normals[:, 2:] < 0, -1, 1)
+    key = np.maximum(normals @ _KEY_LIGHT, 0)
+    light = 0.40 + 0.52 * key + 0.14 * normals[:, 2]
+    return np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
+
+
+def _paint_points(painter: QPainter, picture: Picture, vertices: Array, seen: Array) -> None:
+    flat, places = vertices.reshape(-1, 6), seen.reshape(-1, 3)
+    low, high = picture.scene.unit_heights
+    colours = colours_of(flat[:, 2], low, high, picture.settings.colour_map)
+    order = np.argsort(-places[:, 2])
+    for (x, y, depth), colour in zip(places[order].tolist(), colours[order].tolist(), strict=True):
+        if np.isfinite(depth):
+            painter.setPen(QPen(QColor(*colour), POINT_SIZE, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+            painter.drawPoint(QPointF(x, y))

@@ -1,0 +1,78 @@
+"""What the view shows and how: values that the window keeps, compares and hands down whole."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Layer(StrEnum):
+    """Which surface is shown; ``BOTH`` puts the two side by side with linked cameras."""
+
+    RAW = "raw"
+    TRANSFORMED = "transformed"
+    BOTH = "both"
+
+
+class Style(StrEnum):
+    """How the surface is drawn. ``FACETS`` is MATLAB's ``surf``: one flat colour a cell, no light."""
+
+    FACETS = "facets"
+    SMOOTH = "smooth"
+    WIREFRAME = "wireframe"
+    POINTS = "points"
+
+
+class ColourMap(StrEnum):
+    """Height colours; ``JET`` is MATLAB's, as in the paper's figures."""
+
+    JET = "jet"
+    TURBO = "turbo"
+    VIRIDIS = "viridis"
+    CIVIDIS = "cividis"
+
+
+class Scaling(StrEnum):
+    """``EACH`` stretches every axis by itself to the same box, as MATLAB does; ``EQUAL`` keeps lengths
+    comparable."""
+
+    EACH = "each"
+    EQUAL = "equal"
+
+
+class Projection(StrEnum):
+    """How depth becomes size."""
+
+    PARALLEL = "parallel"
+    PERSPECTIVE = "perspective"
+
+
+class ThemeName(StrEnum):
+    """Which of the two colour sets."""
+
+    LIGHT = "light"
+    DARK = "dark"
+
+
+@dataclass(frozen=True)
+class DisplaySettings:
+    """Everything a user can choose about the picture, apart from the camera; ``replace`` makes the next
+    one."""
+
+    layer: Layer = Layer.TRANSFORMED
+    style: Style = Style.FACETS
+    colour_map: ColourMap = ColourMap.JET
+    scaling: Scaling = Scaling.EACH
+    projection: Projection = Projection.PARALLEL
+    theme: ThemeName = ThemeName.LIGHT
+    surface: bool = True
+    parameter_lines: bool = True
+    control_points: bool = True
+    labels: bool = True
+    control_net: bool = True
+    row_curves: bool = False
+    column_curves: bool = False
+    control_box: bool = False
+    surface_box: bool = False
+    axes: bool = True
+    colour_bar: bool = True

@@ -1,0 +1,192 @@
+"""The surface as an item of a pyqtgraph GL view: a fixed triangulation whose vertices are rewritten at
+every edit.
+
+Everything is created in ``paint``, where the context is current, and destroyed by ``release``, which the
+viewport calls when it goes.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from OpenGL import GL
+from pyqtgraph.opengl.GLGraphicsItem import GLGraphicsItem
+from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QOpenGLContext, QVector4D
+from PySide6.QtOpenGL import QOpenGLBuffer, QOpenGLShaderProgram
+
+from qovr_app.view3d.colourmaps import ENTRIES, colour_table
+from qovr_app.view3d.gl_program import link_program
+from qovr_app.view3d.mesh import Counts, surface_vertices, triangle_indices
+from qovr_app.view3d.picture import Picture
+from qovr_app.view3d.settings import ColourMap, Style
+from qovr_app.view3d.surface_look import POINT_SIZE, line_colour, line_periods, line_width
+from qovr_core.arrays import Array
+from qovr_core.patch import Patch
+
+_ATTRIBUTES = ("a_position", "a_normal")
+_FLOAT_BYTES = 4
+_VERTEX_BYTES = 6 * _FLOAT_BYTES
+
+_DEFINES = {
+    Style.FACETS: {"HEIGHT_SHADING": "flat"},
+    Style.SMOOTH: {"HEIGHT_SHADING": "smooth", "LIGHT": "1"},
+    Style.WIREFRAME: {"HEIGHT_SHADING": "smooth", "WIREFRAME": "1"},
+    Style.POINTS: {"HEIGHT_SHADING": "smooth", "POINTS": "1"},
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Shot:
+    """How one painting looks at the scene: ``matrix`` (4, 4) to clip coordinates, ``axes`` (3, 3) of the
+    camera,
+    and the device pixels a logical pixel has."""
+
+    matrix: Array
+    axes: Array
+    pixel_ratio: float
+
+
+class SurfaceItem(GLGraphicsItem):
+    """The surface of a picture, drawn with the current context."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._picture: Picture | None = None
+        self._shot: Shot | None = None
+        self.forget()
+
+    def forget(self) -> None:
+        """Start without any GL object, as a new context does."""
+        self._programs: dict[Style, QOpenGLShaderProgram] = {}
+        self._array = 0
+        self._vertices: QOpenGLBuffer | None = None
+        self._indices: QOpenGLBuffer | None = None
+        self._texture = 0
+        self._drawn: tuple[Patch, Counts] | None = None
+        self._indexed: Counts | None = None
+        self._coloured: ColourMap | None = None
+
+    def show_picture(self, picture: Picture, shot: Shot) -> None:
+        """Set what the next ``paint`` draws and from where."""
+        self._picture, self._shot = picture, shot
+
+    def release(self) -> None:
+        """Destroy every GL object; a context that shares them is current."""
+        if self._array:
+            GL.glDeleteVertexArrays(1, [self._array])
+            self._vertices.destroy()
+            self._indices.destroy()
+            GL.glDeleteTextures([self._texture])
+        self.forget()
+
+    def paint(self) -> None:
+        picture = self._picture
+        if picture is None or picture.scene is None or not picture.settings.surface:
+            return
+        if not self._array:
+            self._create()
+        GL.glBindVertexArray(self._array)
+        self._upload(picture)
+        style = picture.settings.style
+        program = self._program(style)
+        program.bind()
+        self._set_uniforms(program, picture)
+        GL.glActiveTexture(GL.GL_TEXTURE0)
+        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
+        self._draw(style, picture.counts)
+        program.release()
+        GL.glBindVertexArray(0)
+
+    def _create(self) -> None:
+        self._array = int(GL.glGenVertexArrays(1))
+        self._vertices = QOpenGLBuffer(QOpenGLBuffer.Type.VertexBuffer)
+        self._indices = QOpenGLBuffer(QOpenGLBuffer.Type.IndexBuffer)
+        if not (self._vertices.create() and self._indices.create()):
+            raise RuntimeError("the driver creates no vertex buffers")
+        self._vertices.setUsagePattern(QOpenGLBuffer.UsagePattern.DynamicDraw)
+        self._texture = int(GL.glGenTextures(1))
+        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
+        for name in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_LINEAR)
+        for name in (GL.GL_TEXTURE_WRAP_S, GL.GL_TEXTURE_WRAP_T):
+            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_CLAMP_TO_EDGE)
+
+    def _program(self, style: Style) -> QOpenGLShaderProgram:
+        if style not in self._programs:
+            self._programs[style] = link_program("surface", defines=_DEFINES[style], attributes=_ATTRIBUTES)
+        return self._programs[style]
+
+    def _upload(self, picture: Picture) -> None:
+        """Bring to the driver what has changed since the last painting."""
+        counts, patch = picture.counts, picture.scene.patch
+        if self._drawn is None or self._drawn[0] is not patch or self._drawn[1] != counts:
+            self._upload_vertices(patch, counts)
+        if self._indexed != counts:
+            indices = triangle_indices(counts)
+            self._indices.bind()  # stays bound: the vertex array object remembers it
+            self._indices.allocate(indices, indices.nbytes)
+            self._indexed = counts
+        if self._coloured != picture.settings.colour_map:
+            self._coloured = picture.settings.colour_map
+            GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
+            GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
+            GL.glTexImage2D(
+                GL.GL_TEXTURE_2D, 0, GL.GL_RGB8, ENTRIES, 1, 0, GL.GL_RGB, GL.GL_UNSIGNED_BYTE,
+                colour_table(self._coloured),
+            )  # fmt: skip
+
+    def _upload_vertices(self, patch: Patch, counts: Counts) -> None:
+        vertices = surface_vertices(patch, counts)
+        self._vertices.bind()
+        if self._drawn is not None and self._drawn[1] == counts:
+            self._vertices.write(0, vertices, vertices.nbytes)
+        else:
+            self._vertices.allocate(vertices, vertices.nbytes)
+            for location in range(len(_ATTRIBUTES)):
+                offset = GL.ctypes.c_void_p(3 * _FLOAT_BYTES * location)
+                GL.glVertexAttribPointer(location, 3, GL.GL_FLOAT, False, _VERTEX_BYTES, offset)
+                GL.glEnableVertexAttribArray(location)
+        self._vertices.release()
+        self._drawn = (patch, counts)
+
+    def _set_uniforms(self, program: QOpenGLShaderProgram, picture: Picture) -> None:
+        settings, scene, shot = picture.settings, picture.scene, self._shot
+        low, high = scene.unit_heights
+        scale = 1 / (high - low) if high > low else 0.0
+        cells = np.subtract(scene.document.samples, 1)
+        fine, coarse = line_periods(scene.document.samples)
+        red, green, blue, alpha = line_colour(picture.theme, settings)
+        at = program.uniformLocation
+        program.setUniformValue(at("u_matrix"), QMatrix4x4(shot.matrix.ravel().tolist()))
+        program.setUniformValue(at("u_view"), QMatrix3x3(shot.axes.ravel().tolist()))
+        GL.glUniform2i(at("u_counts"), *picture.counts)
+        GL.glUniform2f(at("u_cells"), *cells.tolist())
+        GL.glUniform2f(at("u_heights"), scale, -low * scale if scale else 0.5)
+        GL.glUniform2f(at("u_fine"), *fine)
+        GL.glUniform2f(at("u_coarse"), *coarse)
+        program.setUniformValue(at("u_line"), QVector4D(red, green, blue, alpha))
+        GL.glUniform1f(at("u_line_width"), line_width(settings.style) * shot.pixel_ratio)
+        GL.glUniform1f(at("u_pixel_ratio"), shot.pixel_ratio)
+        GL.glUniform1f(at("u_point_size"), POINT_SIZE * shot.pixel_ratio)
+        GL.glUniform1i(at("u_colours"), 0)
+
+    def _draw(self, style: Style, counts: Counts) -> None:
+        see_through = style is Style.WIREFRAME
+        GL.glDisable(GL.GL_CULL_FACE)
+        if see_through:
+            # Lines behind lines stay visible, so that nothing may write depth; the shader's colours are
+            # premultiplied.
+            GL.glDisable(GL.GL_DEPTH_TEST)
+            GL.glEnable(GL.GL_BLEND)
+            GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE_MINUS_SRC_ALPHA)
+        else:
+            GL.glEnable(GL.GL_DEPTH_TEST)
+            GL.glDepthMask(True)
+            GL.glDisable(GL.GL_BLEND)
+        if style is Style.POINTS:
+            if not QOpenGLContext.currentContext().isOpenGLES():  # there it is always so
+                GL.glEnable(GL.GL_PROGRAM_POINT_SIZE)
+            GL.glDrawArrays(GL.GL_POINTS, 0, counts[0] * counts[1])
+        else:
+            GL.glDrawElements(GL.GL_TRIANGLES, triangle_indices(counts).size, GL.GL_UNSIGNED_INT, None)

@@ -1,0 +1,124 @@
+"""Lettering: short texts with subscripts and a halo, drawn once and reused on pixels, as outlines in vector
+figures."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QGuiApplication, QImage, QPainter, QPainterPath, QPen
+
+from qovr_app.view3d.canvas import blank_image, painting
+from qovr_app.view3d.theme import Rgb
+
+SMALL, NORMAL = 11, 12
+"""Pixel sizes: tick labels and point labels, titles."""
+
+_SUBSCRIPT_SIZE = 0.74
+_SUBSCRIPT_DROP = 0.24
+_HALO_WIDTH = 3.0
+_PAD = 3
+
+Runs = tuple[tuple[str, bool], ...]
+"""Pieces of a text, each with whether it is a subscript."""
+
+Alignment = tuple[float, float]
+"""Where the anchor lies in the text's box: (0, 0) upper left, (0.5, 0.5) in the middle, (1, 1) lower
+right."""
+
+
+def plain(text: str) -> Runs:
+    """Return a text without subscripts as runs."""
+    return ((text, False),)
+
+
+@lru_cache(maxsize=8)
+def _font(pixels: int, *, subscript: bool) -> QFont:
+    font = QFont(QGuiApplication.font())
+    font.setPixelSize(max(1, round(pixels * _SUBSCRIPT_SIZE)) if subscript else pixels)
+    return font
+
+
+def text_size(runs: Runs, pixels: int) -> tuple[float, float]:
+    """Return width and height of a text in logical pixels."""
+    width = sum(QFontMetricsF(_font(pixels, subscript=sub)).horizontalAdvance(text) for text, sub in runs)
+    return width, QFontMetricsF(_font(pixels, subscript=False)).height()
+
+
+def draw_text(
+    painter: QPainter,
+    runs: Runs,
+    anchor: tuple[float, float],
+    alignment: Alignment,
+    colour: Rgb,
+    *,
+    pixels: int = SMALL,
+    halo: Rgb | None = None,
+    opacity: float = 1.0,
+) -> None:
+    """Draw a text with its anchor at a point in logical pixels."""
+    width, height = text_size(runs, pixels)
+    x, y = anchor[0] - alignment[0] * width, anchor[1] - alignment[1] * height
+    painter.setOpacity(opacity)
+    if isinstance(painter.device(), QImage) and not painter.worldTransform().isRotating():
+        ratio = painter.device().devicePixelRatioF()
+        image = _sprite(runs, colour, pixels, halo, ratio)
+        # A sprite between two pixels would be blurred.
+        x, y = (round((value - _PAD) * ratio) / ratio for value in (x, y))
+        painter.drawImage(QPointF(x, y), image)
+    else:
+        _draw_outlines(painter, _outline(_pieces(runs, pixels, QPointF(x, y))), colour, halo)
+    painter.setOpacity(1.0)
+
+
+def _pieces(runs: Runs, pixels: int, corner: QPointF) -> list[tuple[QPointF, QFont, str]]:
+    """Return each run's baseline point, font and text for a box with this upper left corner."""
+    metrics = QFontMetricsF(_font(pixels, subscript=False))
+    x, baseline = corner.x(), corner.y() + metrics.ascent()
+    pieces = []
+    for text, subscript in runs:
+        font = _font(pixels, subscript=subscript)
+        drop = pixels * _SUBSCRIPT_DROP if subscript else 0.0
+        pieces.append((QPointF(x, baseline + drop), font, text))
+        x += QFontMetricsF(font).horizontalAdvance(text)
+    return pieces
+
+
+def _outline(pieces: list[tuple[QPointF, QFont, str]]) -> QPainterPath:
+    path = QPainterPath()
+    for point, font, text in pieces:
+        path.addText(point, font, text)
+    return path
+
+
+def _halo_pen(halo: Rgb) -> QPen:
+    return QPen(
+        QColor(*halo, 225),
+        _HALO_WIDTH,
+        Qt.PenStyle.SolidLine,
+        Qt.PenCapStyle.RoundCap,
+        Qt.PenJoinStyle.RoundJoin,
+    )
+
+
+def _draw_outlines(painter: QPainter, path: QPainterPath, colour: Rgb, halo: Rgb | None) -> None:
+    """Draw as shapes: a figure then looks the same where the font is not installed."""
+    if halo is not None:
+        painter.strokePath(path, _halo_pen(halo))
+    painter.fillPath(path, QColor(*colour))
+
+
+@lru_cache(maxsize=1024)
+def _sprite(runs: Runs, colour: Rgb, pixels: int, halo: Rgb | None, ratio: float) -> QImage:
+    width, height = text_size(runs, pixels)
+    image = blank_image((width + 2 * _PAD + 1, height + 2 * _PAD + 1), ratio)
+    pieces = _pieces(runs, pixels, QPointF(_PAD, _PAD))
+    with painting(image) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        if halo is not None:
+            painter.strokePath(_outline(pieces), _halo_pen(halo))
+        painter.setPen(QColor(*colour))
+        for point, font, text in pieces:
+            painter.setFont(font)
+            painter.drawText(point, text)
+    return image

@@ -1,0 +1,69 @@
+"""The colours of the picture, light and dark: quiet greys, one accent, the surface alone is colourful."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from qovr_app.view3d.settings import ThemeName
+
+Rgb = tuple[int, int, int]
+
+
+@dataclass(frozen=True)
+class Theme:
+    """One set of colours, each red, green and blue from 0 to 255.
+
+    ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``accent`` is the control
+    points and what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim`` parts marks
+    from the surface.
+    """
+
+    background: Rgb
+    pane: Rgb
+    grid: Rgb
+    axis: Rgb
+    ink: Rgb
+    quiet_ink: Rgb
+    accent: Rgb
+    rim: Rgb
+    net: Rgb
+    row_curve: Rgb
+    column_curve: Rgb
+    surface_line: Rgb
+
+
+_THEMES = {
+    ThemeName.LIGHT: Theme(
+        background=(255, 255, 255),
+        pane=(247, 248, 250),
+        grid=(221, 224, 229),
+        axis=(120, 126, 135),
+        ink=(32, 36, 42),
+        quiet_ink=(92, 98, 107),
+        accent=(28, 100, 216),
+        rim=(255, 255, 255),
+        net=(70, 78, 90),
+        row_curve=(16, 20, 26),
+        column_curve=(28, 100, 216),
+        surface_line=(0, 0, 0),
+    ),
+    ThemeName.DARK: Theme(
+        background=(32, 35, 40),
+        pane=(38, 41, 47),
+        grid=(60, 64, 72),
+        axis=(128, 134, 144),
+        ink=(232, 234, 238),
+        quiet_ink=(166, 172, 181),
+        accent=(92, 157, 255),
+        rim=(24, 26, 30),
+        net=(190, 196, 206),
+        row_curve=(245, 246, 248),
+        column_curve=(92, 157, 255),
+        surface_line=(0, 0, 0),
+    ),
+}
+
+
+def theme_of(name: ThemeName) -> Theme:
+    """Return the colours that go by a name."""
+    return _THEMES[ThemeName(name)]

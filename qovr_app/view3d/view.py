@@ -1,0 +1,331 @@
+"""The 3D view: the widget that a window places. It shows results and reports intents; it changes no
+document."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+from PySide6.QtCore import QEasingCurve, QPoint, QTimer, QVariantAnimation, Signal
+from PySide6.QtGui import QColor, QImage, QResizeEvent
+from PySide6.QtWidgets import QHBoxLayout, QWidget
+
+from qovr_app.view3d.camera import NAMED_VIEWS, Camera, fitted
+from qovr_app.view3d.canvas import blank_image, painting
+from qovr_app.view3d.figure import FigureOptions, save_figure
+from qovr_app.view3d.frame import HALF_EXTENTS, Frame
+from qovr_app.view3d.mesh import MOVING_LIMIT, RESTING_LIMIT
+from qovr_app.view3d.navigator import Navigator
+from qovr_app.view3d.painter_viewport import PainterViewport
+from qovr_app.view3d.picture import Picture, margins
+from qovr_app.view3d.probe import gl_support
+from qovr_app.view3d.scene import NetIndex, Result, Scene, make_scene, scene_frame
+from qovr_app.view3d.settings import DisplaySettings, Layer, Projection
+
+_REST_MILLISECONDS = 150
+"""After this long without a change the surface is drawn on its finer grid."""
+
+_TURN_MILLISECONDS = 240
+_GAP = 1
+"""Pixels between two viewports."""
+
+_CAPTIONS = {Layer.RAW: "Raw", Layer.TRANSFORMED: "Transformed"}
+
+
+class View3D(QWidget):
+    """A surface with its control net, seen through one camera in one viewport or, for ``both``, two.
+
+    Signals
+    -------
+    point_hovered, point_selected : (i, j) or None
+    point_dragged : i, j, the wanted coordinates (3,) float64, and the drag's gesture number
+    drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
+    fell_back : once, why OpenGL is not used
+    frame_painted : a frame has reached the window
+    """
+
+    point_hovered = Signal(object)
+    point_selected = Signal(object)
+    point_dragged = Signal(int, int, object, int)
+    drag_finished = Signal(int)
+    drag_cancelled = Signal(int)
+    fell_back = Signal(str)
+    frame_painted = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._settings, self._camera = DisplaySettings(), Camera()
+        self._result: Result | None = None
+        self._frames: dict[Layer, Frame] = {}
+        self._scenes: dict[Layer, Scene] = {}
+        self._selected: NetIndex | None = None
+        self._hovered: NetIndex | None = None
+        self._vertex_limit = RESTING_LIMIT
+        self._is_fitted, self._dragging = True, False
+        self._viewports: dict[int, QWidget] = {}
+        self._uses_gl = gl_support().usable
+        if not self._uses_gl:
+            QTimer.singleShot(0, self, lambda: self.fell_back.emit(gl_support().reason))
+        self._rest = QTimer(self, singleShot=True, interval=_REST_MILLISECONDS)
+        self._rest.timeout.connect(self._refine)
+        self._turn = QVariantAnimation(self, duration=_TURN_MILLISECONDS)
+        self._turn.setEasingCurve(QEasingCurve.Type.OutCubic)
+        self._turn_ends = (self._camera, self._camera)
+        self._turn.valueChanged.connect(self._on_turned)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(_GAP)
+        self._arrange()
+
+    # What is shown
+
+    @property
+    def settings(self) -> DisplaySettings:
+        """How the result is shown."""
+        return self._settings
+
+    @property
+    def camera(self) -> Camera:
+        """Where the viewports look from."""
+        return self._camera
+
+    @property
+    def uses_opengl(self) -> bool:
+        """Whether the viewports are drawn by OpenGL, not by the painter."""
+        return self._uses_gl
+
+    @property
+    def viewports(self) -> list[QWidget]:
+        """The viewports in use, from left to right."""
+        return [self._viewports[k] for k in range(len(self._layers))]
+
+    def picture(self, viewport: int = 0) -> Picture:
+        """Return what a viewport shows."""
+        layer = self._layers[viewport]
+        return Picture(
+            settings=self._settings,
+            camera=self._camera,
+            scene=self._scenes.get(layer),
+            selected=self._selected,
+            hovered=self._hovered,
+            vertex_limit=self._vertex_limit,
+            caption=_CAPTIONS[layer] if len(self._layers) > 1 else "",
+        )
+
+    def set_result(self, result: Result) -> None:
+        """Show a result. The camera stays where it is; during a drag the axes' limits stay too."""
+        self._result = result
+        self._make_scenes(keep_frames=self._dragging)
+        self._show_moving()
+
+    def set_settings(self, settings: DisplaySettings) -> None:
+        """Show the result in another way."""
+        before, self._settings = self._settings, settings
+        if (before.layer, before.scaling) != (settings.layer, settings.scaling):
+            self._make_scenes(keep_frames=False)
+        perspective = settings.projection is Projection.PERSPECTIVE
+        self._camera = replace(self._camera, perspective=perspective)
+        if before.layer is not settings.layer:
+            self._arrange()
+        if self._is_fitted:
+            self._camera = self._fitted(self._camera)
+        self._show()
+
+    def select(self, i: int | None, j: int | None = None) -> None:
+        """Mark a control point, or none."""
+        self._selected = None if i is None or j is None else (i, j)
+        self._show()
+
+    # The camera
+
+    def set_camera(self, name: str, *, animated: bool = True) -> None:
+        """Look from a named direction, ``paper``, ``top``, ``front`` or ``right``, at the whole surface.
+
+        Raises
+        ------
+        KeyError : there is no such direction
+        """
+        azimuth, elevation = NAMED_VIEWS[name]
+        goal = replace(self._camera, azimuth=azimuth, elevation=elevation)
+        self._is_fitted = True
+        self._turn_to(self._fitted(goal), animated=animated)
+
+    def fit(self, *, animated: bool = True) -> None:
+        """Show the whole surface from where the camera looks now."""
+        self._is_fitted = True
+        self._turn_to(self._fitted(self._camera), animated=animated)
+
+    def _fitted(self, camera: Camera) -> Camera:
+        scene = self.picture().scene
+        half = HALF_EXTENTS if scene is None else scene.frame.half_extents
+        size = self.viewports[0].logical_size
+        return fitted(camera, half, size, margins(self._settings, size))
+
+    def _turn_to(self, goal: Camera, *, animated: bool) -> None:
+        self._turn.stop()
+        if not animated or not self.isVisible():
+            self._camera = goal
+            self._show_moving()
+            return
+        self._turn_ends = (self._camera, goal)
+        self._turn.setStartValue(0.0)
+        self._turn.setEndValue(1.0)
+        self._turn.start()
+
+    def _on_turned(self, part: float) -> None:
+        start, goal = self._turn_ends
+        self._camera = goal if part == 1.0 else start.toward(goal, part)
+        self._show_moving()
+
+    def _on_camera_requested(self, camera: Camera) -> None:
+        self._turn.stop()
+        self._is_fitted = False
+        self._camera = camera
+        self._show_moving()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.layout().activate()
+        if self._is_fitted:
+            self._turn.stop()
+            self._camera = self._fitted(self._camera)
+        self._show()
+
+    # Images
+
+    def image(self) -> QImage:
+        """Return what is seen, at the device's resolution."""
+        ratio = self.devicePixelRatioF()
+        result = blank_image((self.width(), self.height()), ratio)
+        result.fill(QColor(*self.picture().theme.grid))
+        with painting(result) as painter:
+            for viewport in self.viewports:
+                part = viewport.image()
+                part.setDevicePixelRatio(ratio)
+                painter.drawImage(viewport.mapTo(self, QPoint(0, 0)), part)
+        return result
+
+    def save_figure(self, path: str | Path, options: FigureOptions | None = None) -> None:
+        """Write what is seen as PNG, SVG or PDF, by the path's suffix.
+
+        Raises
+        ------
+        qovr_core.FileError : the suffix is another one, or the file cannot be written; nothing is left behind
+        """
+        panels = []
+        for k, viewport in enumerate(self.viewports):
+            picture = replace(self.picture(k), vertex_limit=RESTING_LIMIT, hovered=None)
+            panels.append((picture, viewport.logical_size, viewport.surface_image))
+        save_figure(Path(path), panels, options or FigureOptions(), refit=self._is_fitted)
+
+    # Viewports
+
+    @property
+    def _layers(self) -> tuple[Layer, ...]:
+        both = self._settings.layer is Layer.BOTH
+        return (Layer.RAW, Layer.TRANSFORMED) if both else (self._settings.layer,)
+
+    def _make_scenes(self, *, keep_frames: bool) -> None:
+        """Make the scenes of the shown layers, with limits of their own or those they had."""
+        self._scenes = {}
+        if self._result is None:
+            return
+        for layer in self._layers:
+            if layer not in self._frames or not keep_frames:
+                self._frames[layer] = scene_frame(self._result, layer, self._settings.scaling)
+            self._scenes[layer] = make_scene(self._result, layer, self._frames[layer])
+
+    def _arrange(self) -> None:
+        """Have one viewport for every shown layer."""
+        for k in range(len(self._layers)):
+            if k not in self._viewports:
+                self._viewports[k] = self._make_viewport(k)
+                self.layout().addWidget(self._viewports[k], 1)
+        for k, viewport in self._viewports.items():
+            viewport.setVisible(k < len(self._layers))
+        self.layout().activate()
+
+    def _make_viewport(self, number: int) -> QWidget:
+        viewport = self._gl_viewport(number) if self._uses_gl else PainterViewport(self.picture(number), self)
+        viewport.setAccessibleName("Surface")
+        viewport.painted.connect(self.frame_painted)
+        navigator = Navigator(viewport, lambda: self.picture(number))
+        navigator.camera_requested.connect(self._on_camera_requested)
+        navigator.hovered.connect(self._on_hovered)
+        navigator.selected.connect(self._on_selected)
+        navigator.drag_started.connect(self._on_drag_started)
+        navigator.dragged.connect(self.point_dragged)
+        navigator.drag_finished.connect(self._on_drag_finished)
+        navigator.drag_cancelled.connect(self._on_drag_cancelled)
+        return viewport
+
+    def _gl_viewport(self, number: int) -> QWidget:
+        from qovr_app.view3d.gl_viewport import GlViewport
+
+        viewport = GlViewport(self.picture(number), self)
+        viewport.failed.connect(self._on_gl_failed)
+        return viewport
+
+    def _on_gl_failed(self, reason: str) -> None:
+        """Go on with the painter, after the frame that failed."""
+        if self._uses_gl:
+            self._uses_gl = False
+            QTimer.singleShot(0, self, lambda: self._fall_back(reason))
+
+    def _fall_back(self, reason: str) -> None:
+        for viewport in self._viewports.values():
+            self.layout().removeWidget(viewport)
+            viewport.hide()
+            viewport.deleteLater()
+        self._viewports = {}
+        self._dragging = False
+        self._arrange()
+        self._show()
+        self.fell_back.emit(reason)
+
+    # Intents
+
+    def _on_hovered(self, index: NetIndex | None) -> None:
+        if index != self._hovered:
+            self._hovered = index
+            self._show()
+            self.point_hovered.emit(index)
+
+    def _on_selected(self, index: NetIndex | None) -> None:
+        if index != self._selected:
+            self._selected = index
+            self._show()
+            self.point_selected.emit(index)
+
+    def _on_drag_started(self, gesture: int) -> None:  # noqa: ARG002
+        self._dragging = True
+
+    def _on_drag_finished(self, gesture: int) -> None:
+        self._end_drag()
+        self.drag_finished.emit(gesture)
+
+    def _on_drag_cancelled(self, gesture: int) -> None:
+        self._end_drag()
+        self.drag_cancelled.emit(gesture)
+
+    def _end_drag(self) -> None:
+        """Let the axes' limits follow the result again."""
+        self._dragging = False
+        self._make_scenes(keep_frames=False)
+        self._show_moving()
+
+    # Drawing
+
+    def _show_moving(self) -> None:
+        """Show the present state on the coarser grid, and on the finer one when it has come to rest."""
+        self._vertex_limit = MOVING_LIMIT
+        self._show()
+        self._rest.start()
+
+    def _refine(self) -> None:
+        self._vertex_limit = RESTING_LIMIT
+        self._show()
+
+    def _show(self) -> None:
+        for k, viewport in enumerate(self.viewports):
+            viewport.set_picture(self.picture(k))
