@@ -20,6 +20,9 @@ _TICK_ROOM_UP, _TICK_ROOM_ACROSS = 24.0, 36.0
 """Pixels between ticks of an upright axis, and how many more a level one needs, whose texts stand side by
 side."""
 
+_MOST_INTERVALS = 6
+"""More ticks on a long axis than on its neighbour would only set the two apart."""
+
 _EDGE_ON = 1e-6
 _TIE = 1.5
 """Edges within this many pixels of one another are equally low on the screen."""
@@ -111,7 +114,7 @@ def _ticks(limits: Array, on_screen: Array) -> Array:
     length = float(np.hypot(*on_screen))
     level = abs(float(on_screen[0])) / max(length, 1.0)
     intervals = int(length / (_TICK_ROOM_UP + _TICK_ROOM_ACROSS * level))
-    return tick_positions(float(limits[0]), float(limits[1]), min(max(intervals, 1), 10))
+    return tick_positions(float(limits[0]), float(limits[1]), min(max(intervals, 1), _MOST_INTERVALS))
 
 
 def _panes(sides: Array, half: Array, units: list[Array]) -> tuple[Array, Array]:

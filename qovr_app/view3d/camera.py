@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 import numpy as np
 
@@ -90,9 +91,10 @@ class Camera:
             matrix[0, 0], matrix[1, 1], matrix[2, 2], matrix[3, 3] = 1 / half_w, 1 / half_h, -1 / reach, 1
         return matrix
 
+    @lru_cache(maxsize=8)  # noqa: B019 - cameras are small values, and one frame asks a dozen times
     def matrix(self, size: Size) -> Array:
-        """Return the (4, 4) matrix from the unit space to clip coordinates."""
-        return self.projection_matrix(size) @ self.view_matrix()
+        """Return the (4, 4) matrix from the unit space to clip coordinates, read-only."""
+        return read_only(self.projection_matrix(size) @ self.view_matrix())
 
     def project(self, points: Array, size: Size) -> Array:
         """Return where points (..., 3) of the unit space appear.
@@ -101,7 +103,8 @@ class Camera:
         -------
         (..., 3) float64: x, y in logical pixels and the depth; NaN where a point is not in front of the eye
         """
-        clip = points @ self.matrix(size)[:, :3].T + self.matrix(size)[:, 3]
+        matrix = self.matrix(size)
+        clip = points @ matrix[:, :3].T + matrix[:, 3]
         w = np.where(clip[..., 3:] > _BEHIND, clip[..., 3:], np.nan)
         ndc = clip[..., :3] / w
         return ndc * [size[0] / 2, -size[1] / 2, 1] + [size[0] / 2, size[1] / 2, 0]

@@ -15,9 +15,9 @@ FloatArray = npt.NDArray[np.float32]
 Counts = tuple[int, int]
 """Vertices along u and along v."""
 
-MOVING_LIMIT = 101
-"""Vertices a side while something moves: finer grids differ in some thousandths of a percent of the
-pixels."""
+MOVING_LIMIT, MOVING_SAMPLES = 61, 101
+"""Vertices a side while something moves. With exact normals, and lines that need no vertices, finer grids look
+the same; where the samples themselves are shown, as facets or points, the paper's 101 are."""
 
 RESTING_LIMIT = 201
 """Vertices a side at rest: silhouettes stay round in a large window and in figures."""
@@ -83,14 +83,17 @@ def triangle_indices(counts: Counts) -> npt.NDArray[np.uint32]:
     return read_only((corner + cell).ravel())
 
 
-def display_counts(samples: Counts, limit: int, *, follow_samples: bool) -> Counts:
+def display_counts(samples: Counts, *, moving: bool, follow_samples: bool) -> Counts:
     """Return the display grid of a document with these samples.
 
-    ``follow_samples`` keeps coarse documents coarse, where each sample is to be seen: facets, and points.
+    Parameters
+    ----------
+    follow_samples : each sample is to be seen, so that coarse documents stay coarse
     """
-    if follow_samples:
-        return min(samples[0], limit), min(samples[1], limit)
-    return limit, limit
+    if not follow_samples:
+        return (MOVING_LIMIT, MOVING_LIMIT) if moving else (RESTING_LIMIT, RESTING_LIMIT)
+    limit = MOVING_SAMPLES if moving else RESTING_LIMIT
+    return min(samples[0], limit), min(samples[1], limit)
 
 
 def curve_points(coefficients: Array, count: int) -> Array:

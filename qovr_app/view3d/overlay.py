@@ -7,10 +7,11 @@ drawn dim, so that it can still be seen and picked.
 from __future__ import annotations
 
 import itertools
+from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.view3d.camera import Size
@@ -18,6 +19,7 @@ from qovr_app.view3d.colourbar import draw_colour_bar
 from qovr_app.view3d.frame import Frame
 from qovr_app.view3d.occlusion import Occluder
 from qovr_app.view3d.picture import Picture, has_colour_bar
+from qovr_app.view3d.settings import Style
 from qovr_app.view3d.text import draw_text
 from qovr_app.view3d.theme import Rgb
 from qovr_core.arrays import Array
@@ -26,14 +28,18 @@ from qovr_core.document import NET_SIZE
 POINT_RADIUS = 4.5
 _MARKED_RADIUS = 6.5
 _LABEL_OFFSET = (6.0, -4.0)
-_NET_PIECES = 8
+_LABEL_ROOM = (24.0, 13.0)
+"""Logical pixels across a label and down: one that begins within these of another would lie on it."""
+
+_PIECES = 8
 """Pieces of a net or box edge: where the surface hides it is found to an eighth of its length."""
 
-_NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.2, 1.8, 1.0
+_NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
 _HIDDEN = 0.3
 """Opacity of what the surface hides."""
 
 _HIDDEN_LABEL = 0.45
+_OPAQUE_STYLES = (Style.FACETS, Style.SMOOTH)
 
 
 def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
@@ -41,49 +47,56 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
     if picture.scene is None:
         return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    settings, theme = picture.settings, picture.theme
     lines = _lines(picture)
     points = picture.scene.points.reshape(-1, 3)
-    hidden = _hidden(picture, size, [*(curve for curves, _, _ in lines for curve in curves), points])
-    for curves, colour, width in lines:
-        for curve in curves:
-            seen = picture.camera.project(curve, size)[:, :2]
-            _draw_line(painter, seen, next(hidden), colour, width)
-    seen = picture.camera.project(points, size)[:, :2]
-    hidden_points = next(hidden)
-    if settings.control_points:
-        _draw_points(painter, picture, seen, hidden_points)
-    if settings.labels:
-        for k, (place, dim) in enumerate(zip(seen.tolist(), hidden_points.tolist(), strict=True)):
-            if np.isfinite(place).all():
-                at = (place[0] + _LABEL_OFFSET[0], place[1] + _LABEL_OFFSET[1])
-                runs = (("P", False), (f"{k // NET_SIZE},{k % NET_SIZE}", True))
-                opacity = _HIDDEN_LABEL if dim else 1.0
-                draw_text(painter, runs, at, (0, 0.75), theme.ink, halo=theme.rim, opacity=opacity)
-    if has_colour_bar(settings, size):
+    marks = np.concatenate([*(family.points.reshape(-1, 3) for family in lines), points])
+    seen, hidden = picture.camera.project(marks, size)[:, :2], _hidden(picture, marks, size)
+    start = 0
+    for family in lines:
+        shape = family.points.shape[:2]
+        stop = start + shape[0] * shape[1]
+        _draw_family(painter, family, seen[start:stop].reshape(*shape, 2), hidden[start:stop].reshape(shape))
+        start = stop
+    if picture.settings.control_points:
+        _draw_points(painter, picture, seen[start:], hidden[start:])
+    if picture.settings.labels:
+        _draw_labels(painter, picture, seen[start:], hidden[start:])
+    if has_colour_bar(picture.settings, size):
         draw_colour_bar(painter, picture, size)
 
 
-def _lines(picture: Picture) -> list[tuple[Array, Rgb, float]]:
-    """Return the polylines (k, n, 3) of the unit space to draw, with colour and width, lowest first."""
+@dataclass(frozen=True, eq=False)
+class _Family:
+    """Polylines (k, n, 3) of the unit space that look alike; every ``straight`` pieces lie on one line."""
+
+    points: Array
+    colour: Rgb
+    width: float
+    straight: int = 1
+
+
+def _lines(picture: Picture) -> list[_Family]:
+    """Return the lines to draw, lowest first."""
     settings, scene, theme = picture.settings, picture.scene, picture.theme
-    lines = []
+    families = []
     if settings.control_box:
-        lines.append((_box_edges(scene.frame, scene.control_box), theme.accent, _BOX_WIDTH))
+        edges = _box_edges(scene.frame, scene.control_box)
+        families.append(_Family(edges, theme.accent, _BOX_WIDTH, _PIECES))
     if settings.surface_box:
-        lines.append((_box_edges(scene.frame, scene.surface_box), theme.axis, _BOX_WIDTH))
+        edges = _box_edges(scene.frame, scene.surface_box)
+        families.append(_Family(edges, theme.axis, _BOX_WIDTH, _PIECES))
     if settings.control_net:
-        lines.append((_net_lines(scene.points), theme.net, _NET_WIDTH))
+        families.append(_Family(_net_lines(scene.points), theme.net, _NET_WIDTH, _PIECES))
     if settings.row_curves:
-        lines.append((scene.row_curves, theme.row_curve, _CURVE_WIDTH))
+        families.append(_Family(scene.row_curves, theme.row_curve, _CURVE_WIDTH))
     if settings.column_curves:
-        lines.append((scene.column_curves, theme.column_curve, _CURVE_WIDTH))
-    return lines
+        families.append(_Family(scene.column_curves, theme.column_curve, _CURVE_WIDTH))
+    return families
 
 
 def _divided(corners: Array) -> Array:
-    """Return polylines (k, n, 3) with every straight piece cut into ``_NET_PIECES``."""
-    part = np.arange(_NET_PIECES)[:, None] / _NET_PIECES
+    """Return polylines (k, n, 3) with every straight piece cut into ``_PIECES``."""
+    part = np.arange(_PIECES)[:, None] / _PIECES
     starts, ends = corners[:, :-1, None], corners[:, 1:, None]
     pieces = (starts + (ends - starts) * part).reshape(len(corners), -1, 3)
     return np.concatenate([pieces, corners[:, -1:]], axis=1)
@@ -99,30 +112,66 @@ def _box_edges(frame: Frame, box: Array) -> Array:
     return _divided(corners[np.array(pairs)])
 
 
-def _hidden(picture: Picture, size: Size, marks: list[Array]) -> itertools.chain[npt.NDArray[np.bool_]]:
-    """Return for each array (n, 3) of marks which of them the surface hides, in one query."""
-    if not picture.settings.surface:
-        return iter([np.zeros(len(part), dtype=bool) for part in marks])
-    occluder = Occluder(picture.scene.patch, picture.camera, size)
-    hidden = occluder.hidden(np.concatenate(marks))
-    return iter(np.split(hidden, np.cumsum([len(part) for part in marks])[:-1]))
+def _hidden(picture: Picture, marks: Array, size: Size) -> npt.NDArray[np.bool_]:
+    """Return which marks (k, 3) the surface hides, in one query; nothing where one can look through it."""
+    if not picture.settings.surface or picture.settings.style not in _OPAQUE_STYLES:
+        return np.zeros(len(marks), dtype=bool)
+    return Occluder(picture.scene.patch, picture.camera, size).hidden(marks)
 
 
-def _draw_line(
-    painter: QPainter, seen: Array, hidden: npt.NDArray[np.bool_], colour: Rgb, width: float
+def _draw_family(painter: QPainter, family: _Family, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:
+    """Draw polylines (k, n, 2), dim where both ends of a piece are hidden."""
+    dim = hidden[:, :-1] & hidden[:, 1:]
+    ends = np.ones((*dim.shape[:1], dim.shape[1] + 1), dtype=bool)
+    ends[:, 1:-1] = dim[:, 1:] != dim[:, :-1]
+    if family.straight > 1:
+        ends[:, :: family.straight] = True
+    for is_dim in (True, False):
+        ink = QColor(*family.colour)
+        ink.setAlphaF(_HIDDEN if is_dim else 1.0)
+        painter.setPen(
+            QPen(ink, family.width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
+        )
+        for line, stops, dims in zip(seen, ends, dim, strict=True):
+            if np.isfinite(line).all():
+                _draw_runs(painter, line, np.flatnonzero(stops), dims == is_dim, smooth=family.straight == 1)
+
+
+def _draw_runs(
+    painter: QPainter,
+    line: Array,
+    stops: npt.NDArray[np.intp],
+    wanted: npt.NDArray[np.bool_],
+    *,
+    smooth: bool,
 ) -> None:
-    """Draw a polyline (n, 2) in runs, dim where both ends of a piece are hidden."""
-    if not np.isfinite(seen).all():
-        return
-    dim = hidden[:-1] & hidden[1:]
-    turns = [0, *(np.flatnonzero(dim[1:] != dim[:-1]) + 1).tolist(), len(dim)]
-    points = [QPointF(x, y) for x, y in seen.tolist()]
-    for start, stop in itertools.pairwise(turns):
-        ink = QColor(*colour)
-        ink.setAlphaF(_HIDDEN if dim[start] else 1.0)
-        pen = QPen(ink, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap, Qt.PenJoinStyle.RoundJoin)
-        painter.setPen(pen)
-        painter.drawPolyline(QPolygonF(points[start : stop + 1]))
+    """Draw the wanted runs of a polyline (n, 2) between its stops: straight ones by their ends alone."""
+    points = line.tolist() if smooth else None
+    for start, stop in itertools.pairwise(stops.tolist()):
+        if not wanted[start]:
+            continue
+        if smooth:
+            painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in points[start : stop + 1]]))
+        else:
+            painter.drawLine(QLineF(*line[start].tolist(), *line[stop].tolist()))
+
+
+def _draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:
+    """Name the points; where they crowd, those marked and then those in front have the right of way."""
+    theme, taken = picture.theme, []
+    marked = [index for index in (picture.selected, picture.hovered) if index is not None]
+    first = [i * NET_SIZE + j for i, j in marked]
+    order = [*first, *np.flatnonzero(~hidden).tolist(), *np.flatnonzero(hidden).tolist()]
+    for k in dict.fromkeys(order):
+        if not np.isfinite(seen[k]).all():
+            continue
+        x, y = (seen[k] + _LABEL_OFFSET).tolist()
+        if any(abs(x - a) < _LABEL_ROOM[0] and abs(y - b) < _LABEL_ROOM[1] for a, b in taken):
+            continue
+        taken.append((x, y))
+        runs = (("P", False), (f"{k // NET_SIZE},{k % NET_SIZE}", True))
+        opacity = _HIDDEN_LABEL if hidden[k] and k not in first else 1.0
+        draw_text(painter, runs, (x, y), (0, 0.75), theme.ink, halo=theme.rim, opacity=opacity)
 
 
 def _draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:

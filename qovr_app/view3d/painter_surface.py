@@ -9,10 +9,10 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.colourmaps import colours_of
-from qovr_app.view3d.mesh import RESTING_LIMIT, Counts, surface_vertices
+from qovr_app.view3d.mesh import Counts, surface_vertices
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.settings import Style
-from qovr_app.view3d.surface_look import POINT_SIZE, line_colour, line_width
+from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_width
 from qovr_core.arrays import Array
 
 _MOVING_CELLS, _RESTING_CELLS = 30, 60
@@ -20,6 +20,9 @@ _MOVING_CELLS, _RESTING_CELLS = 30, 60
 
 _KEY_LIGHT = np.array([-0.36, 0.48, 0.80])
 """As in the surface's fragment shader."""
+
+_CELL_LINE = 0.75
+"""Every cell is outlined here, where OpenGL draws few lines: each is that much thinner and paler."""
 
 _SEAM = 0.6
 """Width of the outline in a cell's own colour that closes the gaps between antialiased neighbours."""
@@ -40,7 +43,7 @@ def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
 
 
 def _counts(picture: Picture) -> Counts:
-    limit = _RESTING_CELLS if picture.vertex_limit == RESTING_LIMIT else _MOVING_CELLS
+    limit = _MOVING_CELLS if picture.moving else _RESTING_CELLS
     return tuple(min(count, limit + 1) for count in picture.counts)
 
 
@@ -57,8 +60,10 @@ def _paint_cells(painter: QPainter, picture: Picture, vertices: Array, seen: Arr
     corners, cells = corners[in_front], cells[in_front]
     order = np.argsort(-corners[..., 2].mean(axis=1))
     colours = _cell_colours(picture, cells)[order].tolist()
-    red, green, blue, alpha = line_colour(picture.theme, picture.settings)
-    pen = QPen(QColor.fromRgbF(red, green, blue, alpha * 0.7), line_width(style) * 0.8)
+    alpha = line_opacity(picture.settings)
+    ink = QColor(*picture.theme.surface_line)
+    ink.setAlphaF(alpha * _CELL_LINE)
+    pen = QPen(ink, line_width(style) * _CELL_LINE)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
     painter.setBrush(Qt.BrushStyle.NoBrush)
     for outline, colour in zip(corners[order, :, :2].tolist(), colours, strict=True):

@@ -5,13 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_app.view3d.camera import Camera, Margins, Size
-from qovr_app.view3d.mesh import RESTING_LIMIT, Counts, display_counts
+from qovr_app.view3d.mesh import Counts, display_counts
 from qovr_app.view3d.scene import NetIndex, Scene
 from qovr_app.view3d.settings import DisplaySettings, Style
 from qovr_app.view3d.theme import Theme, theme_of
 
 _BAR_ROOM = 104.0
 _AXES_ROOM = 58.0
+_TITLE_ROOM = 92.0
+"""At the left, where the z axis carries numbers and a title side by side."""
+
 _BARE_ROOM = 28.0
 _NARROW = 340.0
 """A viewport narrower than this in logical pixels has no room for a colour bar beside the surface."""
@@ -24,7 +27,7 @@ class Picture:
     Parameters
     ----------
     scene : None before the first result
-    vertex_limit : vertices a side of the display grid, fewer while something moves
+    moving : draw on a coarser grid, because the next frame is near
     caption : a word in the corner that tells two viewports apart, or nothing
     """
 
@@ -33,7 +36,7 @@ class Picture:
     scene: Scene | None = None
     selected: NetIndex | None = None
     hovered: NetIndex | None = None
-    vertex_limit: int = RESTING_LIMIT
+    moving: bool = False
     caption: str = ""
 
     @property
@@ -46,7 +49,7 @@ class Picture:
         if self.scene is None:
             return (2, 2)
         follow = self.settings.style in (Style.FACETS, Style.POINTS)
-        return display_counts(self.scene.document.samples, self.vertex_limit, follow_samples=follow)
+        return display_counts(self.scene.document.samples, moving=self.moving, follow_samples=follow)
 
 
 def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
@@ -57,5 +60,6 @@ def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
 def margins(settings: DisplaySettings, size: Size) -> Margins:
     """Return the room that a fitted picture leaves for labels and colour bar."""
     side = _AXES_ROOM if settings.axes else _BARE_ROOM
+    left = _TITLE_ROOM if settings.axes else _BARE_ROOM
     right = _BAR_ROOM if has_colour_bar(settings, size) else side
-    return Margins(left=side, top=_BARE_ROOM, right=right, bottom=side)
+    return Margins(left=left, top=_BARE_ROOM, right=right, bottom=side)

@@ -20,7 +20,7 @@ from qovr_app.view3d.gl_program import link_program
 from qovr_app.view3d.mesh import Counts, surface_vertices, triangle_indices
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.settings import ColourMap, Style
-from qovr_app.view3d.surface_look import POINT_SIZE, line_colour, line_periods, line_width
+from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_periods, line_width
 from qovr_core.arrays import Array
 from qovr_core.patch import Patch
 
@@ -58,7 +58,7 @@ class SurfaceItem(GLGraphicsItem):
 
     def forget(self) -> None:
         """Start without any GL object, as a new context does."""
-        self._programs: dict[Style, QOpenGLShaderProgram] = {}
+        self._programs: dict[tuple[Style, bool], QOpenGLShaderProgram] = {}
         self._array = 0
         self._vertices: QOpenGLBuffer | None = None
         self._indices: QOpenGLBuffer | None = None
@@ -89,7 +89,7 @@ class SurfaceItem(GLGraphicsItem):
         GL.glBindVertexArray(self._array)
         self._upload(picture)
         style = picture.settings.style
-        program = self._program(style)
+        program = self._program(style, lines=line_opacity(picture.settings) > 0)
         program.bind()
         self._set_uniforms(program, picture)
         GL.glActiveTexture(GL.GL_TEXTURE0)
@@ -112,10 +112,12 @@ class SurfaceItem(GLGraphicsItem):
         for name in (GL.GL_TEXTURE_WRAP_S, GL.GL_TEXTURE_WRAP_T):
             GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_CLAMP_TO_EDGE)
 
-    def _program(self, style: Style) -> QOpenGLShaderProgram:
-        if style not in self._programs:
-            self._programs[style] = link_program("surface", defines=_DEFINES[style], attributes=_ATTRIBUTES)
-        return self._programs[style]
+    def _program(self, style: Style, *, lines: bool) -> QOpenGLShaderProgram:
+        key = style, lines
+        if key not in self._programs:
+            defines = _DEFINES[style] | ({"LINES": "1"} if lines else {})
+            self._programs[key] = link_program("surface", defines=defines, attributes=_ATTRIBUTES)
+        return self._programs[key]
 
     def _upload(self, picture: Picture) -> None:
         """Bring to the driver what has changed since the last painting."""
@@ -156,16 +158,16 @@ class SurfaceItem(GLGraphicsItem):
         scale = 1 / (high - low) if high > low else 0.0
         cells = np.subtract(scene.document.samples, 1)
         fine, coarse = line_periods(scene.document.samples)
-        red, green, blue, alpha = line_colour(picture.theme, settings)
+        line = (*(channel / 255 for channel in picture.theme.surface_line), line_opacity(settings))
         at = program.uniformLocation
         program.setUniformValue(at("u_matrix"), QMatrix4x4(shot.matrix.ravel().tolist()))
         program.setUniformValue(at("u_view"), QMatrix3x3(shot.axes.ravel().tolist()))
-        GL.glUniform2i(at("u_counts"), *picture.counts)
+        GL.glUniform2f(at("u_counts"), *picture.counts)
         GL.glUniform2f(at("u_cells"), *cells.tolist())
         GL.glUniform2f(at("u_heights"), scale, -low * scale if scale else 0.5)
         GL.glUniform2f(at("u_fine"), *fine)
         GL.glUniform2f(at("u_coarse"), *coarse)
-        program.setUniformValue(at("u_line"), QVector4D(red, green, blue, alpha))
+        program.setUniformValue(at("u_line"), QVector4D(*line))
         GL.glUniform1f(at("u_line_width"), line_width(settings.style) * shot.pixel_ratio)
         GL.glUniform1f(at("u_pixel_ratio"), shot.pixel_ratio)
         GL.glUniform1f(at("u_point_size"), POINT_SIZE * shot.pixel_ratio)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from qovr_app.view3d.mesh import Counts
 from qovr_app.view3d.settings import DisplaySettings, Style
-from qovr_app.view3d.theme import Theme
 
 POINT_SIZE = 3.0
 """Logical pixels across a sample in the style of points."""
@@ -24,11 +23,10 @@ def line_width(style: Style) -> float:
     return _LINE_WIDTHS[style]
 
 
-def line_colour(theme: Theme, settings: DisplaySettings) -> tuple[float, float, float, float]:
-    """Return red, green, blue and opacity of parameter lines, 0 to 1; opacity 0 means none."""
-    red, green, blue = theme.surface_line
+def line_opacity(settings: DisplaySettings) -> float:
+    """Return the opacity of parameter lines; 0 means none."""
     shown = settings.parameter_lines or settings.style is Style.WIREFRAME
-    return red / 255, green / 255, blue / 255, _LINE_OPACITIES[settings.style] if shown else 0.0
+    return _LINE_OPACITIES[settings.style] if shown else 0.0
 
 
 def line_periods(samples: Counts) -> tuple[tuple[float, float], tuple[float, float]]:

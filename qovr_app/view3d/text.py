@@ -3,10 +3,21 @@ figures."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QGuiApplication, QImage, QPainter, QPainterPath, QPen
+from PySide6.QtGui import (
+    QColor,
+    QFont,
+    QFontMetricsF,
+    QGuiApplication,
+    QImage,
+    QPainter,
+    QPainterPath,
+    QPen,
+    QTransform,
+)
 
 from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.theme import Rgb
@@ -39,6 +50,7 @@ def _font(pixels: int, *, subscript: bool) -> QFont:
     return font
 
 
+@lru_cache(maxsize=1024)
 def text_size(runs: Runs, pixels: int) -> tuple[float, float]:
     """Return width and height of a text in logical pixels."""
     width = sum(QFontMetricsF(_font(pixels, subscript=sub)).horizontalAdvance(text) for text, sub in runs)
@@ -55,19 +67,26 @@ def draw_text(
     pixels: int = SMALL,
     halo: Rgb | None = None,
     opacity: float = 1.0,
+    upright: bool = False,
 ) -> None:
-    """Draw a text with its anchor at a point in logical pixels."""
+    """Draw a text with its anchor at a point in logical pixels; ``upright`` runs from below to above."""
     width, height = text_size(runs, pixels)
+    if upright:
+        width, height = height, width
     x, y = anchor[0] - alignment[0] * width, anchor[1] - alignment[1] * height
     painter.setOpacity(opacity)
-    if isinstance(painter.device(), QImage) and not painter.worldTransform().isRotating():
+    if isinstance(painter.device(), QImage):
         ratio = painter.device().devicePixelRatioF()
-        image = _sprite(runs, colour, pixels, halo, ratio)
+        image = _sprite(_Look(runs, colour, pixels, halo, upright), ratio)
         # A sprite between two pixels would be blurred.
         x, y = (round((value - _PAD) * ratio) / ratio for value in (x, y))
         painter.drawImage(QPointF(x, y), image)
     else:
-        _draw_outlines(painter, _outline(_pieces(runs, pixels, QPointF(x, y))), colour, halo)
+        path = _outline(_pieces(runs, pixels, QPointF(0, 0)))
+        placed = (
+            QTransform.fromTranslate(x, y + height).rotate(-90) if upright else QTransform.fromTranslate(x, y)
+        )
+        _draw_outlines(painter, placed.map(path), colour, halo)
     painter.setOpacity(1.0)
 
 
@@ -108,17 +127,28 @@ def _draw_outlines(painter: QPainter, path: QPainterPath, colour: Rgb, halo: Rgb
     painter.fillPath(path, QColor(*colour))
 
 
+@dataclass(frozen=True)
+class _Look:
+    """A text with everything that decides its pixels, but for the device's ratio."""
+
+    runs: Runs
+    colour: Rgb
+    pixels: int
+    halo: Rgb | None
+    upright: bool
+
+
 @lru_cache(maxsize=1024)
-def _sprite(runs: Runs, colour: Rgb, pixels: int, halo: Rgb | None, ratio: float) -> QImage:
-    width, height = text_size(runs, pixels)
+def _sprite(look: _Look, ratio: float) -> QImage:
+    width, height = text_size(look.runs, look.pixels)
     image = blank_image((width + 2 * _PAD + 1, height + 2 * _PAD + 1), ratio)
-    pieces = _pieces(runs, pixels, QPointF(_PAD, _PAD))
+    pieces = _pieces(look.runs, look.pixels, QPointF(_PAD, _PAD))
     with painting(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if halo is not None:
-            painter.strokePath(_outline(pieces), _halo_pen(halo))
-        painter.setPen(QColor(*colour))
+        if look.halo is not None:
+            painter.strokePath(_outline(pieces), _halo_pen(look.halo))
+        painter.setPen(QColor(*look.colour))
         for point, font, text in pieces:
             painter.setFont(font)
             painter.drawText(point, text)
-    return image
+    return image.transformed(QTransform().rotate(-90)) if look.upright else image

@@ -8,7 +8,7 @@ import numpy as np
 
 from qovr_core.arrays import Array, read_only
 
-_ROUND_STEPS = (1.0, 2.0, 2.5, 5.0, 10.0)
+_ROUND_STEPS = (1.0, 2.0, 5.0, 10.0)
 _SLACK = 1e-9
 """Part of a step by which a bound may miss a tick and still count as on it: rounding of decimal fractions."""
 
@@ -21,7 +21,7 @@ _SMALLEST_FIXED = 1e-5
 
 
 def round_step(extent: float, intervals: int) -> float:
-    """Return the smallest of 1, 2, 2.5, 5 times a power of ten that cuts an extent into at most
+    """Return the smallest of 1, 2, 5 times a power of ten that cuts an extent into at most
     ``intervals``."""
     least = extent / intervals
     power = 10.0 ** math.floor(math.log10(least))

@@ -14,7 +14,6 @@ from qovr_app.view3d.camera import NAMED_VIEWS, Camera, fitted
 from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.figure import FigureOptions, save_figure
 from qovr_app.view3d.frame import HALF_EXTENTS, Frame
-from qovr_app.view3d.mesh import MOVING_LIMIT, RESTING_LIMIT
 from qovr_app.view3d.navigator import Navigator
 from qovr_app.view3d.painter_viewport import PainterViewport
 from qovr_app.view3d.picture import Picture, margins
@@ -60,7 +59,7 @@ class View3D(QWidget):
         self._scenes: dict[Layer, Scene] = {}
         self._selected: NetIndex | None = None
         self._hovered: NetIndex | None = None
-        self._vertex_limit = RESTING_LIMIT
+        self._moving = False
         self._is_fitted, self._dragging = True, False
         self._viewports: dict[int, QWidget] = {}
         self._uses_gl = gl_support().usable
@@ -108,7 +107,7 @@ class View3D(QWidget):
             scene=self._scenes.get(layer),
             selected=self._selected,
             hovered=self._hovered,
-            vertex_limit=self._vertex_limit,
+            moving=self._moving,
             caption=_CAPTIONS[layer] if len(self._layers) > 1 else "",
         )
 
@@ -214,7 +213,7 @@ class View3D(QWidget):
         """
         panels = []
         for k, viewport in enumerate(self.viewports):
-            picture = replace(self.picture(k), vertex_limit=RESTING_LIMIT, hovered=None)
+            picture = replace(self.picture(k), moving=False, hovered=None)
             panels.append((picture, viewport.logical_size, viewport.surface_image))
         save_figure(Path(path), panels, options or FigureOptions(), refit=self._is_fitted)
 
@@ -318,12 +317,12 @@ class View3D(QWidget):
 
     def _show_moving(self) -> None:
         """Show the present state on the coarser grid, and on the finer one when it has come to rest."""
-        self._vertex_limit = MOVING_LIMIT
+        self._moving = True
         self._show()
         self._rest.start()
 
     def _refine(self) -> None:
-        self._vertex_limit = RESTING_LIMIT
+        self._moving = False
         self._show()
 
     def _show(self) -> None:

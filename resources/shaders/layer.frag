@@ -1,10 +1,10 @@
 uniform sampler2D u_image;
 
-in vec2 v_place;
-
 out vec4 f_colour;
 
 void main() {
-    // Painted images hold blue, green, red, alpha in memory, which OpenGL ES cannot upload by name.
-    f_colour = texture(u_image, v_place).bgra;
+    // The image's first row is the upper one; it holds blue, green, red, alpha, which OpenGL ES cannot upload by name.
+    ivec2 place = ivec2(gl_FragCoord.xy);
+    place.y = textureSize(u_image, 0).y - 1 - place.y;
+    f_colour = texelFetch(u_image, place, 0).bgra;
 }

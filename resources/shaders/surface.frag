@@ -1,4 +1,5 @@
 uniform sampler2D u_colours;
+uniform vec2 u_cells;
 uniform vec2 u_fine;
 uniform vec2 u_coarse;
 uniform vec4 u_line;
@@ -6,50 +7,73 @@ uniform float u_line_width;
 uniform float u_pixel_ratio;
 
 HEIGHT_SHADING in float v_height;
+#ifdef LIGHT
 in vec3 v_normal;
+#endif
+#ifdef LINES
 in vec2 v_cell;
+#endif
 
 out vec4 f_colour;
 
 // Half of the first and of the last texel of 256 lie outside the map's range.
 const vec2 TEXELS = vec2(255.0 / 256.0, 0.5 / 256.0);
 const vec3 KEY_LIGHT = vec3(-0.36, 0.48, 0.80);
+// Halfway between the light and the viewer.
+const vec3 GLOSS = vec3(-0.18974, 0.25298, 0.94868);
 
+#ifdef LINES
 // Coverage of lines every `period` cells; where they come closer than some pixels they fade into the surface.
-float lines(vec2 period, float closest, float widest) {
-    vec2 place = v_cell / period;
-    vec2 per_pixel = max(fwidth(place), vec2(1e-6));
-    vec2 pixels = abs(fract(place - 0.5) - 0.5) / per_pixel;
+vec2 lines(vec2 period, vec2 pixels_per_cell, float closest, float widest) {
+    vec2 spacing = period * pixels_per_cell;
+    vec2 pixels = abs(fract(v_cell / period - 0.5) - 0.5) * spacing;
     vec2 cover = clamp(0.5 * u_line_width + 0.5 - pixels, 0.0, 1.0);
-    vec2 spacing = 1.0 / (per_pixel * u_pixel_ratio);
-    cover *= smoothstep(vec2(closest), vec2(widest), spacing);
-    return max(cover.x, cover.y);
+    return cover * clamp((spacing / u_pixel_ratio - closest) / (widest - closest), 0.0, 1.0);
 }
 
+float line_cover() {
+    vec2 pixels_per_cell = 1.0 / max(fwidth(v_cell), vec2(1e-6));
+    vec2 coarse = lines(u_coarse, pixels_per_cell, 2.0, 4.0);
+    vec2 fine = lines(u_fine, pixels_per_cell, 3.0, 8.0);
+    // Of a line along the border only half lies on the surface: there it has its whole width inside.
+    vec2 border = clamp(u_line_width + 0.5 - min(v_cell, u_cells - v_cell) * pixels_per_cell, 0.0, 1.0);
+    vec2 cover = max(border, max(coarse, 0.6 * fine));
+    return max(cover.x, cover.y);
+}
+#endif
+
+#ifdef LIGHT
 vec3 lit(vec3 colour) {
     vec3 normal = normalize(v_normal);
     normal = normal.z < 0.0 ? -normal : normal;
     float key = max(dot(normal, KEY_LIGHT), 0.0);
-    float shine = pow(max(dot(normal, normalize(KEY_LIGHT + vec3(0.0, 0.0, 1.0))), 0.0), 48.0);
+    float shine = max(dot(normal, GLOSS), 0.0);
+    shine *= shine;
+    shine *= shine;
+    shine *= shine;
+    shine *= shine;
+    shine *= shine;
     return colour * (0.40 + 0.52 * key + 0.14 * normal.z) + 0.10 * shine;
 }
+#endif
 
 void main() {
     vec3 colour = texture(u_colours, vec2(clamp(v_height, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
 #ifdef POINTS
     vec2 from_middle = 2.0 * gl_PointCoord - 1.0;
     if (dot(from_middle, from_middle) > 1.0) discard;
-    f_colour = vec4(colour, 1.0);
-#else
-    float line = u_line.a > 0.0 ? max(lines(u_coarse, 1.5, 4.0), 0.6 * lines(u_fine, 2.5, 9.0)) : 0.0;
-#ifdef WIREFRAME
-    if (line < 0.02) discard;
-    f_colour = vec4(colour, 1.0) * line;
-#else
+#endif
 #ifdef LIGHT
     colour = lit(colour);
 #endif
-    f_colour = vec4(mix(colour, u_line.rgb, line * u_line.a), 1.0);
+#ifdef WIREFRAME
+    float line = line_cover();
+    if (line < 0.02) discard;
+    f_colour = vec4(colour, 1.0) * line;
+#else
+#ifdef LINES
+    colour = mix(colour, u_line.rgb, line_cover() * u_line.a);
 #endif
+    f_colour = vec4(colour, 1.0);
 #endif
 }

@@ -1,7 +1,7 @@
 // A display grid of a patch in unit space. gl_VertexID gives the parameters: no buffer for what counting knows.
 uniform mat4 u_matrix;
 uniform mat3 u_view;
-uniform ivec2 u_counts;
+uniform vec2 u_counts;
 uniform vec2 u_cells;
 uniform vec2 u_heights;
 uniform float u_point_size;
@@ -10,14 +10,25 @@ in vec3 a_position;
 in vec3 a_normal;
 
 HEIGHT_SHADING out float v_height;
+#ifdef LIGHT
 out vec3 v_normal;
+#endif
+#ifdef LINES
 out vec2 v_cell;
+#endif
 
 void main() {
-    ivec2 index = ivec2(gl_VertexID / u_counts.y, gl_VertexID % u_counts.y);
-    v_cell = vec2(index) / vec2(u_counts - 1) * u_cells;
+#ifdef LINES
+    // In floats, which hold every index of a display grid and divide faster than integers.
+    float row = floor((float(gl_VertexID) + 0.5) / u_counts.y);
+    v_cell = vec2(row, float(gl_VertexID) - row * u_counts.y) / (u_counts - 1.0) * u_cells;
+#endif
     v_height = a_position.z * u_heights.x + u_heights.y;
+#ifdef LIGHT
     v_normal = u_view * a_normal;
+#endif
     gl_Position = u_matrix * vec4(a_position, 1.0);
+#ifdef POINTS
     gl_PointSize = u_point_size;
+#endif
 }
