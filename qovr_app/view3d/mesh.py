@@ -16,7 +16,7 @@ Counts = tuple[int, int]
 """Vertices along u and along v."""
 
 MOVING_LIMIT, MOVING_SAMPLES = 61, 101
-"""Vertices a side while something moves. With exact normals, and lines that need no vertices, finer grids look
+"""Vertices a side while something moves. With exact normals, and lines that need no vertices, finer ones look
 the same; where the samples themselves are shown, as facets or points, the paper's 101 are."""
 
 RESTING_LIMIT = 201
