@@ -24,7 +24,7 @@ _KEY_LIGHT = np.array([-0.36, 0.48, 0.80])
 _CELL_LINE = 0.75
 """Every cell is outlined here, where OpenGL draws few lines: each is that much thinner and paler."""
 
-_SEAM = 0.6
+_SEAM = 1.0
 """Width of the outline in a cell's own colour that closes the gaps between antialiased neighbours."""
 
 
@@ -65,15 +65,18 @@ def _paint_cells(painter: QPainter, picture: Picture, vertices: Array, seen: Arr
     ink.setAlphaF(alpha * _CELL_LINE)
     pen = QPen(ink, line_width(style) * _CELL_LINE)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
     for outline, colour in zip(corners[order, :, :2].tolist(), colours, strict=True):
+        shape = QPolygonF([QPointF(x, y) for x, y in outline])
         fill = QColor(*colour)
+        painter.setPen(QPen(fill, _SEAM))
         if style is Style.WIREFRAME:
-            painter.setPen(QPen(fill, line_width(style)))
-        else:
-            painter.setBrush(fill)
-            painter.setPen(pen if alpha else QPen(fill, _SEAM))
-        painter.drawConvexPolygon(QPolygonF([QPointF(x, y) for x, y in outline]))
+            painter.drawPolygon(shape)
+            continue
+        painter.setBrush(fill)
+        painter.drawConvexPolygon(shape)
+        if alpha:
+            painter.setPen(pen)
+            painter.drawPolyline(shape)
 
 
 def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
