@@ -93,7 +93,7 @@ def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
     normals *= np.where(normals[:, 2:] < 0, -1, 1)
     key = np.maximum(normals @ _KEY_LIGHT, 0)
-    light = 0.40 + 0.52 * key + 0.14 * normals[:, 2]
+    light = 0.52 + 0.44 * key + 0.10 * normals[:, 2]
     return np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
 
 

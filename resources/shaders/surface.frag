@@ -53,7 +53,7 @@ vec3 lit(vec3 colour) {
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    return colour * (0.40 + 0.52 * key + 0.14 * normal.z) + 0.10 * shine;
+    return colour * (0.52 + 0.44 * key + 0.10 * normal.z) + 0.08 * shine;
 }
 #endif
 

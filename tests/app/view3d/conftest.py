@@ -96,7 +96,9 @@ def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., 
 
     views = []
 
-    def make(document: Document, *, size: tuple[int, int] = (700, 560), **settings: object) -> Owner:
+    def make(
+        document: Document, *, size: tuple[int, int] = (700, 560), at_rest: bool = True, **settings: object
+    ) -> Owner:
         view = View3D()
         views.append(view)
         view.resize(*size)
@@ -107,7 +109,8 @@ def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., 
         view.show()
         spin(lambda: bool(frames))
         view.set_camera("paper", animated=False)
-        settle(view)
+        if at_rest:
+            settle(view)
         return owner
 
     def settle(view: object) -> None:

@@ -52,7 +52,7 @@ def release(viewport, at):
 
 @pytest.fixture
 def owner(make_view, document):
-    return make_view(document, layer=Layer.RAW)
+    return make_view(document, layer=Layer.RAW, at_rest=False)
 
 
 @pytest.mark.parametrize("index", ALL_POINTS)
