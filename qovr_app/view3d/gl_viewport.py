@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+import warnings
 from functools import partial
 
 from OpenGL import GL
 from pyqtgraph.opengl import GLViewWidget
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QImage, QMatrix4x4, QOffscreenSurface, QOpenGLContext
+from PySide6.QtGui import QImage, QKeyEvent, QMatrix4x4, QOffscreenSurface, QOpenGLContext
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.view3d import failures
+from qovr_app.view3d import failures, gl_figure, painter_surface
 from qovr_app.view3d.backdrop import backdrop_key, draw_backdrop
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.canvas import blank_image, painting
-from qovr_app.view3d.gl_figure import surface_image
+from qovr_app.view3d.gl_buffer import smooth_edges
 from qovr_app.view3d.gl_layer import ImageLayer
 from qovr_app.view3d.overlay import draw_overlay
 from qovr_app.view3d.picture import Picture
@@ -63,11 +64,21 @@ class GlViewport(GLViewWidget):
     def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
         """Return the surface alone on a transparent image; the picture laid out for ``size`` logical
         pixels."""
-        self.makeCurrent()
-        try:
-            return surface_image(picture, size, pixels)
-        finally:
-            self.doneCurrent()
+        if self.isValid() and not self._broken:
+            self.makeCurrent()
+            try:
+                return gl_figure.surface_image(picture, size, pixels)
+            except Exception as error:  # the figure is still made, by the painter
+                self._fail(error, "drawing a figure")
+            finally:
+                self.doneCurrent()
+        return painter_surface.surface_image(picture, size, pixels)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        event.ignore()  # what the navigator has left is the window's, not pyqtgraph's
+
+    def keyReleaseEvent(self, event: QKeyEvent) -> None:
+        event.ignore()
 
     def projectionMatrix(self, region: object, viewport: object) -> QMatrix4x4:  # noqa: ARG002
         return QMatrix4x4(self._picture.camera.projection_matrix(self.logical_size).ravel().tolist())
@@ -77,7 +88,10 @@ class GlViewport(GLViewWidget):
 
     def initializeGL(self) -> None:
         try:
-            super().initializeGL()
+            with warnings.catch_warnings():
+                # About OpenGL ES, for which pyqtgraph's own items are not written; the view has none of them.
+                warnings.simplefilter("ignore", RuntimeWarning)
+                super().initializeGL()
             self._start()
         except Exception as error:  # whatever a driver does, the view goes on without it
             self._fail(error, "starting")
@@ -109,14 +123,17 @@ class GlViewport(GLViewWidget):
                 draw_backdrop(painter, picture, size)
             self._backdrop.upload(image)
             self._backdrop_key = key
-        GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
-        self._backdrop.draw(blended=False)
-        camera = picture.camera
-        self._surface.show_picture(picture, Shot(camera.matrix(size), camera.axes, ratio))
-        self.drawItemTree()
         self._overlay_image = blank_image(size, ratio, self._overlay_image)
         with painting(self._overlay_image) as painter:
             draw_overlay(painter, picture, size)
+        camera = picture.camera
+        self._surface.show_picture(picture, Shot(camera.matrix(size), camera.axes, ratio))
+        pixels = self._overlay_image.width(), self._overlay_image.height()
+        # Without a graphics card several samples cost too much for motion: the picture at rest has them.
+        with smooth_edges(pixels, wanted=not picture.moving and self.format().samples() < 2):
+            GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
+            self._backdrop.draw(blended=False)
+            self.drawItemTree()
         self._overlay.upload(self._overlay_image)
         self._overlay.draw(blended=True)
 

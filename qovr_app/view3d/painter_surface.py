@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
 from qovr_app.view3d.camera import Size
+from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.colourmaps import colours_of
 from qovr_app.view3d.mesh import Counts, surface_vertices
 from qovr_app.view3d.picture import Picture
@@ -26,6 +27,15 @@ _CELL_LINE = 0.75
 
 _SEAM = 1.0
 """Width of the outline in a cell's own colour that closes the gaps between antialiased neighbours."""
+
+
+def surface_image(picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
+    """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""
+    image = blank_image(pixels, 1.0)
+    with painting(image) as painter:
+        painter.scale(pixels[0] / size[0], pixels[1] / size[1])
+        paint_surface(painter, picture, size)
+    return image
 
 
 def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:

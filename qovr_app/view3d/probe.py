@@ -49,9 +49,9 @@ def set_default_format() -> None:
     contexts.
     """
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
-    wanted = QSurfaceFormat()
+    wanted = QSurfaceFormat(QSurfaceFormat.defaultFormat())
     wanted.setDepthBufferSize(24)
-    if QSurfaceFormat.defaultFormat().renderableType() != QSurfaceFormat.RenderableType.OpenGLES:
+    if wanted.renderableType() != QSurfaceFormat.RenderableType.OpenGLES:
         wanted.setVersion(3, 3)
         wanted.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
     QSurfaceFormat.setDefaultFormat(wanted)

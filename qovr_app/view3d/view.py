@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QEasingCurve, QPoint, QTimer, QVariantAnimation, Signal
+from PySide6.QtCore import QEasingCurve, QPoint, QSize, QTimer, QVariantAnimation, Signal
 from PySide6.QtGui import QColor, QImage, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
@@ -75,6 +75,9 @@ class View3D(QWidget):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(_GAP)
         self._arrange()
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(320, 240)
 
     # What is shown
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
 
 from qovr_app.view3d.figure import FigureOptions
 from qovr_app.view3d.settings import Layer
@@ -126,3 +127,21 @@ def test_an_older_figure_is_replaced_whole(view, tmp_path):
     view.save_figure(target, FigureOptions(200, 150, None))
     assert target.read_bytes().startswith(b"\x89PNG")
     assert [path.name for path in tmp_path.iterdir()] == ["a.png"]
+
+
+def test_a_driver_that_fails_on_a_figure_leaves_it_to_the_painter(
+    make_view, document, tmp_path, monkeypatch, silenced
+):
+    from qovr_app.view3d import gl_figure
+
+    def fail(*args, **kwargs):
+        raise RuntimeError("no framebuffer")
+
+    owner = make_view(document, layer=Layer.RAW)
+    monkeypatch.setattr(gl_figure, "sampled_buffer", fail)
+    owner.view.save_figure(tmp_path / "a.png", FigureOptions(400, 300, None))
+    image = QImage(str(tmp_path / "a.png"))
+    assert len({image.pixelColor(x, 150).hue() // 30 for x in range(80, 280, 3)}) > 3
+    QTest.qWait(100)
+    assert len(owner.reasons) == 1
+    assert not owner.view.uses_opengl

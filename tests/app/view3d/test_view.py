@@ -51,6 +51,15 @@ def test_the_wheel_zooms_about_the_cursor(make_view, document, expected_pixel):
     assert owner.view.camera.span < 3
 
 
+def test_one_can_fly_into_the_picture(make_view, document, spin):
+    view = make_view(document, projection=Projection.PERSPECTIVE, row_curves=True, control_box=True).view
+    for k in range(60):
+        wheel(view.viewports[0], (150 + 5 * k, 250), 1)
+        spin(1)
+    make_view.settle(view)
+    assert view.camera.span < 0.01
+
+
 def test_mouse_drags_orbit_and_pan(make_view, document):
     view = make_view(document).view
     viewport, before = view.viewports[0], view.camera
