@@ -123,6 +123,7 @@ class GlViewport(GLViewWidget):
                 draw_backdrop(painter, picture, size)
             self._backdrop.upload(image)
             self._backdrop_key = key
+        # Before the surface: a driver that draws on the same processor would be disturbed by the painting.
         self._overlay_image = blank_image(size, ratio, self._overlay_image)
         with painting(self._overlay_image) as painter:
             draw_overlay(painter, picture, size)

@@ -121,7 +121,8 @@ def _hidden(picture: Picture, marks: Array, size: Size) -> npt.NDArray[np.bool_]
 
 def _draw_family(painter: QPainter, family: _Family, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:
     """Draw polylines (k, n, 2), dim where both ends of a piece are hidden."""
-    dim = hidden[:, :-1] & hidden[:, 1:]
+    whole = np.isfinite(seen).all(axis=(1, 2))
+    seen, dim = seen[whole], (hidden[:, :-1] & hidden[:, 1:])[whole]
     ends = np.ones((*dim.shape[:1], dim.shape[1] + 1), dtype=bool)
     ends[:, 1:-1] = dim[:, 1:] != dim[:, :-1]
     if family.straight > 1:
@@ -132,28 +133,17 @@ def _draw_family(painter: QPainter, family: _Family, seen: Array, hidden: npt.ND
         painter.setPen(
             QPen(ink, family.width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
         )
-        for line, stops, dims in zip(seen, ends, dim, strict=True):
-            if np.isfinite(line).all():
-                _draw_runs(painter, line, np.flatnonzero(stops), dims == is_dim, smooth=family.straight == 1)
-
-
-def _draw_runs(
-    painter: QPainter,
-    line: Array,
-    stops: npt.NDArray[np.intp],
-    wanted: npt.NDArray[np.bool_],
-    *,
-    smooth: bool,
-) -> None:
-    """Draw the wanted runs of a polyline (n, 2) between its stops: straight ones by their ends alone."""
-    points = line.tolist() if smooth else None
-    for start, stop in itertools.pairwise(stops.tolist()):
-        if not wanted[start]:
-            continue
-        if smooth:
-            painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in points[start : stop + 1]]))
-        else:
-            painter.drawLine(QLineF(*line[start].tolist(), *line[stop].tolist()))
+        straight = []
+        for line, stops, dims in zip(seen.tolist(), ends, dim.tolist(), strict=True):
+            for start, stop in itertools.pairwise(np.flatnonzero(stops).tolist()):
+                if dims[start] != is_dim:
+                    continue
+                if family.straight > 1:
+                    straight.append(QLineF(*line[start], *line[stop]))
+                else:
+                    run = [QPointF(x, y) for x, y in line[start : stop + 1]]
+                    painter.drawPolyline(QPolygonF(run))
+        painter.drawLines(straight)
 
 
 def _draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:

@@ -1,4 +1,9 @@
 uniform sampler2D u_colours;
+#ifdef FACETS
+uniform highp sampler2D u_samples;
+uniform vec2 u_facets;
+uniform vec2 u_heights;
+#endif
 uniform vec2 u_cells;
 uniform vec2 u_fine;
 uniform vec2 u_coarse;
@@ -6,11 +11,11 @@ uniform vec4 u_line;
 uniform float u_line_width;
 uniform float u_pixel_ratio;
 
-HEIGHT_SHADING in float v_height;
+in float v_height;
 #ifdef LIGHT
 in vec3 v_normal;
 #endif
-#ifdef LINES
+#ifdef CELLS
 in vec2 v_cell;
 #endif
 
@@ -58,7 +63,14 @@ vec3 lit(vec3 colour) {
 #endif
 
 void main() {
-    vec3 colour = texture(u_colours, vec2(clamp(v_height, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
+#ifdef FACETS
+    // The height of the cell's first corner, as MATLAB's surf takes it; u runs along the rows of the texture.
+    vec2 cell = clamp(floor(v_cell / u_cells * u_facets), vec2(0.0), u_facets - 1.0);
+    float height = texelFetch(u_samples, ivec2(cell.yx), 0).r * u_heights.x + u_heights.y;
+#else
+    float height = v_height;
+#endif
+    vec3 colour = texture(u_colours, vec2(clamp(height, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
 #ifdef POINTS
     vec2 from_middle = 2.0 * gl_PointCoord - 1.0;
     if (dot(from_middle, from_middle) > 1.0) discard;

@@ -11,10 +11,16 @@ from qovr_app.view3d.axes import axes_box
 from qovr_app.view3d.camera import NAMED_VIEWS, Camera
 from qovr_app.view3d.colourmaps import colour_table, colours_of
 from qovr_app.view3d.frame import frame_around
-from qovr_app.view3d.mesh import curve_points, display_counts, surface_vertices, triangle_indices
+from qovr_app.view3d.mesh import (
+    curve_points,
+    display_counts,
+    facet_counts,
+    surface_vertices,
+    triangle_indices,
+)
 from qovr_app.view3d.occlusion import Occluder
 from qovr_app.view3d.scene import make_scene, scene_frame
-from qovr_app.view3d.settings import ColourMap, Layer, Scaling
+from qovr_app.view3d.settings import ColourMap, Layer, Scaling, Style
 from qovr_app.view3d.ticks import round_limits, tick_positions, tick_texts
 from qovr_core import Document, Patch, configure
 from qovr_core.edits import set_formulation, set_points
@@ -110,14 +116,15 @@ def test_triangles_cover_the_grid_in_one_direction():
     areas = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
     assert (areas == 1).all()
     assert len(triangles) == 2 * (n - 1) * (m - 1)
-    first_corners = at[:, 2].reshape(-1, 2, 2)
-    np.testing.assert_array_equal(first_corners[:, 0], first_corners[:, 1])
 
 
 def test_the_display_grid_does_not_follow_large_documents():
-    assert display_counts((1001, 30), moving=True, follow_samples=True) == (101, 30)
-    assert display_counts((1001, 1001), moving=False, follow_samples=True) == (201, 201)
-    assert max(display_counts((1001, 1001), moving=True, follow_samples=False)) <= 101
+    large = (1001, 1001)
+    for style in Style:
+        assert max(display_counts(large, style, moving=True)) <= 101
+        assert display_counts(large, style, moving=False) == (201, 201)
+    assert display_counts((7, 30), Style.FACETS, moving=True) == (7, 30)
+    assert facet_counts((1001, 30)) == (201, 30)
 
 
 def test_curves_end_on_the_inner_points():
