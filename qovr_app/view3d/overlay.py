@@ -26,7 +26,7 @@ from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE
 
 POINT_RADIUS = 4.5
-_MARKED_RADIUS = 6.5
+_MARKED_RADIUS, _RING_RADIUS = 6.0, 10.0
 _LABEL_OFFSET = (6.0, -4.0)
 _LABEL_ROOM = (24.0, 13.0)
 """Logical pixels across a label and down: one that begins within these of another would lie on it."""
@@ -161,7 +161,8 @@ def _draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: npt.N
         taken.append((x, y))
         runs = (("P", False), (f"{k // NET_SIZE},{k % NET_SIZE}", True))
         opacity = _HIDDEN_LABEL if hidden[k] and k not in first else 1.0
-        draw_text(painter, runs, (x, y), (0, 0.75), theme.ink, halo=theme.rim, opacity=opacity)
+        ink = theme.accent if k in first else theme.ink
+        draw_text(painter, runs, (x, y), (0, 0.75), ink, halo=theme.rim, opacity=opacity)
 
 
 def _draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:
@@ -174,9 +175,9 @@ def _draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: npt.N
         centre = QPointF(x, y)
         painter.setOpacity(_HIDDEN_LABEL if hidden[k] and not marked else 1.0)
         if index == picture.selected:
-            painter.setPen(QPen(QColor(*theme.accent), 2.0))
+            painter.setPen(QPen(QColor(*theme.accent), 2.4))
             painter.setBrush(QColor(*theme.rim))
-            painter.drawEllipse(centre, _MARKED_RADIUS + 2, _MARKED_RADIUS + 2)
+            painter.drawEllipse(centre, _RING_RADIUS, _RING_RADIUS)
         painter.setPen(QPen(QColor(*theme.rim), 1.4))
         painter.setBrush(QColor(*theme.accent))
         radius = _MARKED_RADIUS if marked else POINT_RADIUS
