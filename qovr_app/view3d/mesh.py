@@ -16,7 +16,7 @@ FloatArray = npt.NDArray[np.float32]
 Counts = tuple[int, int]
 """Vertices along u and along v."""
 
-MOVING_LIMIT, MOVING_POINTS = 61, 101
+MOVING_LIMIT, MOVING_POINTS = 49, 101
 """Vertices a side while something moves. With exact normals, lines and facets that need no vertices, finer
 ones look the same; where each vertex is seen, as a point, the paper's 101 are."""
 

@@ -178,16 +178,17 @@ class SurfaceItem(GLGraphicsItem):
         GL.glUniform2f(at("u_counts"), *picture.counts)
         GL.glUniform2f(at("u_cells"), *cells.tolist())
         GL.glUniform2f(at("u_heights"), scale, -low * scale if scale else 0.5)
-        GL.glUniform2f(at("u_fine"), *fine)
-        GL.glUniform2f(at("u_coarse"), *coarse)
+        for name, period in (("u_fine", fine), ("u_coarse", coarse)):
+            GL.glUniform4f(at(name), *period, *(1 / cells for cells in period))
         program.setUniformValue(at("u_line"), QVector4D(*line))
         GL.glUniform1f(at("u_line_width"), line_width(settings.style) * shot.pixel_ratio)
-        GL.glUniform1f(at("u_pixel_ratio"), shot.pixel_ratio)
+        GL.glUniform1f(at("u_logical"), 1 / shot.pixel_ratio)
         GL.glUniform1f(at("u_point_size"), POINT_SIZE * shot.pixel_ratio)
         GL.glUniform1i(at("u_colours"), 0)
         if settings.style is Style.FACETS:
             GL.glUniform1i(at("u_samples"), 1)
-            GL.glUniform2f(at("u_facets"), *(count - 1 for count in facet_counts(scene.document.samples)))
+            facets = np.subtract(facet_counts(scene.document.samples), 1)
+            GL.glUniform4f(at("u_facets"), *(facets - 1).tolist(), *(facets / cells).tolist())
 
     def _draw(self, style: Style, counts: Counts) -> None:
         see_through = style is Style.WIREFRAME
