@@ -178,7 +178,11 @@ class View3D(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self.layout().activate()
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """Give the viewports their places, and a fitted camera its distance."""
+        self.layout().setGeometry(self.rect())
         if self._is_fitted:
             self._turn.stop()
             self._camera = self._fitted(self._camera)
@@ -187,7 +191,10 @@ class View3D(QWidget):
     # Images
 
     def image(self) -> QImage:
-        """Return what is seen, at the device's resolution."""
+        """Return what is seen, or would be if the view were shown, at the device's resolution."""
+        if not self.isVisible():
+            self._lay_out()
+        self._refine()  # what is kept is looked at longer than a frame
         ratio = self.devicePixelRatioF()
         result = blank_image((self.width(), self.height()), ratio)
         result.fill(QColor(*self.picture().theme.grid))
@@ -205,6 +212,8 @@ class View3D(QWidget):
         ------
         qovr_core.FileError : the suffix is another one, or the file cannot be written; nothing is left behind
         """
+        if not self.isVisible():
+            self._lay_out()
         panels = []
         for k, viewport in enumerate(self.viewports):
             picture = replace(self.picture(k), moving=False, hovered=None)
