@@ -22,9 +22,7 @@ def _source(name: str) -> str:
     return files("qovr_resources").joinpath("shaders", name).read_text(encoding="utf-8")
 
 
-def link_program(
-    name: str, *, defines: Sequence[str] = (), attributes: Sequence[str] = ()
-) -> QOpenGLShaderProgram:
+def link_program(name: str, *, defines: Sequence[str] = (), attributes: Sequence[str] = ()) -> QOpenGLShaderProgram:
     """Return the program of ``NAME.vert`` and ``NAME.frag`` for the current context.
 
     Parameters
