@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import warnings
 from functools import partial
 
 from OpenGL import GL
-from pyqtgraph.opengl import GLViewWidget
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QImage, QKeyEvent, QMatrix4x4, QOffscreenSurface, QOpenGLContext
+from PySide6.QtGui import QImage, QOffscreenSurface, QOpenGLContext
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.view3d import failures, gl_figure, painter_surface
@@ -23,7 +22,7 @@ from qovr_app.view3d.probe import gl_support, viewport_format
 from qovr_app.view3d.surface_item import Shot, SurfaceItem
 
 
-class GlViewport(GLViewWidget):
+class GlViewport(QOpenGLWidget):
     """Shows a picture with OpenGL.
 
     ``painted`` tells that a frame has reached the window; ``failed`` that this widget cannot draw, with the
@@ -42,7 +41,6 @@ class GlViewport(GLViewWidget):
         self._backdrop_key: object = None
         self._overlay_image = QImage()
         self._broken = False
-        self.addItem(self._surface)
         self._gl_things = (self._surface, self._backdrop, self._overlay)
         self.frameSwapped.connect(self.painted)
         self.destroyed.connect(partial(_release, self._gl_things))
@@ -74,24 +72,8 @@ class GlViewport(GLViewWidget):
                 self.doneCurrent()
         return painter_surface.surface_image(picture, size, pixels)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        event.ignore()  # what the navigator has left is the window's, not pyqtgraph's
-
-    def keyReleaseEvent(self, event: QKeyEvent) -> None:
-        event.ignore()
-
-    def projectionMatrix(self, region: object, viewport: object) -> QMatrix4x4:  # noqa: ARG002
-        return QMatrix4x4(self._picture.camera.projection_matrix(self.logical_size).ravel().tolist())
-
-    def viewMatrix(self) -> QMatrix4x4:
-        return QMatrix4x4(self._picture.camera.view_matrix().ravel().tolist())
-
     def initializeGL(self) -> None:
         try:
-            with warnings.catch_warnings():
-                # About OpenGL ES, for which pyqtgraph's own items are not written; the view has none of them.
-                warnings.simplefilter("ignore", RuntimeWarning)
-                super().initializeGL()
             self._start()
         except Exception as error:  # whatever a driver does, the view goes on without it
             self._fail(error, "starting")
@@ -134,16 +116,9 @@ class GlViewport(GLViewWidget):
         with smooth_edges(pixels, wanted=not picture.moving and self.format().samples() < 2):
             GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
             self._backdrop.draw(blended=False)
-            self.drawItemTree()
+            self._surface.paint()
         self._overlay.upload(self._overlay_image)
         self._overlay.draw(blended=True)
-
-    def drawItemTree(self, item: object = None, useItemNames: bool = False) -> None:  # noqa: ARG002, N803
-        """Draw the items. The base class prints and swallows what they raise; here it must reach
-        ``paintGL``."""
-        for each in sorted(self.items, key=lambda item: item.depthValue()):
-            if each.visible():
-                each.paint()
 
 
 def _release(things: tuple[SurfaceItem | ImageLayer, ...]) -> None:

@@ -1,5 +1,4 @@
-"""The surface as an item of a pyqtgraph GL view: a fixed triangulation whose vertices are rewritten at
-every edit.
+"""The surface as OpenGL draws it: a fixed triangulation whose vertices are rewritten at every edit.
 
 Everything is created in ``paint``, where the context is current, and destroyed by ``release``, which the
 viewport calls when it goes.
@@ -11,7 +10,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from OpenGL import GL
-from pyqtgraph.opengl.GLGraphicsItem import GLGraphicsItem
 from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QOpenGLContext, QVector4D
 from PySide6.QtOpenGL import QOpenGLBuffer, QOpenGLShaderProgram
 
@@ -48,11 +46,10 @@ class Shot:
     pixel_ratio: float
 
 
-class SurfaceItem(GLGraphicsItem):
+class SurfaceItem:
     """The surface of a picture, drawn with the current context."""
 
     def __init__(self) -> None:
-        super().__init__()
         self._picture: Picture | None = None
         self._shot: Shot | None = None
         self.forget()
