@@ -5,63 +5,16 @@ from __future__ import annotations
 import os
 import sys
 
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
 from qovr_app.view3d.probe import set_default_format
 from qovr_app.view3d.settings import ThemeName
+from qovr_app.view3d.theme import theme_of
 from qovr_core import QovrError
 
 NAME = "QOVR Studio"
-
-_MIDDLE_LIGHTNESS = 128
-_COLORS = {
-    ThemeName.LIGHT: {
-        "Window": "#f3f4f6",
-        "WindowText": "#20242a",
-        "Base": "#ffffff",
-        "AlternateBase": "#f7f8fa",
-        "Text": "#20242a",
-        "PlaceholderText": "#8a919b",
-        "Button": "#f3f4f6",
-        "ButtonText": "#20242a",
-        "BrightText": "#ffffff",
-        "ToolTipBase": "#ffffff",
-        "ToolTipText": "#20242a",
-        "Highlight": "#1c64d8",
-        "HighlightedText": "#ffffff",
-        "Link": "#1c64d8",
-        "Light": "#ffffff",
-        "Midlight": "#e6e8ec",
-        "Mid": "#c4c9d0",
-        "Dark": "#9aa1ab",
-        "Shadow": "#6b727c",
-    },
-    ThemeName.DARK: {
-        "Window": "#2a2d33",
-        "WindowText": "#e8eaee",
-        "Base": "#202328",
-        "AlternateBase": "#26292f",
-        "Text": "#e8eaee",
-        "PlaceholderText": "#868d98",
-        "Button": "#34383f",
-        "ButtonText": "#e8eaee",
-        "BrightText": "#ffffff",
-        "ToolTipBase": "#34383f",
-        "ToolTipText": "#e8eaee",
-        "Highlight": "#3d7de0",
-        "HighlightedText": "#ffffff",
-        "Link": "#5c9dff",
-        "Light": "#454a53",
-        "Midlight": "#3b4048",
-        "Mid": "#2f3339",
-        "Dark": "#1b1d21",
-        "Shadow": "#101114",
-    },
-}
-"""Greys of the view's own themes and its one accent."""
-
-_FAINT = {ThemeName.LIGHT: "#a3a9b2", ThemeName.DARK: "#6d747f"}
 
 
 def make_application(arguments: list[str], *, scale: float | None = None) -> QApplication:
@@ -84,6 +37,8 @@ def make_application(arguments: list[str], *, scale: float | None = None) -> QAp
     application.setApplicationName(NAME)
     application.setOrganizationName("qovr")
     application.setStyle("Fusion")
+    _follow_system()
+    application.styleHints().colorSchemeChanged.connect(_follow_system)
     return application
 
 
@@ -99,26 +54,75 @@ def _check_display() -> None:
         raise QovrError("there is no display; the window needs one, a virtual one serves (xvfb-run qovr ...)")
 
 
-def set_theme(name: ThemeName) -> None:
-    """Make all windows light or dark, whatever the system says.
+_ROLES = {
+    ThemeName.LIGHT: {
+        "Window": "#f3f4f6",
+        "WindowText": "#20242a",
+        "Base": "#ffffff",
+        "AlternateBase": "#f7f8fa",
+        "Text": "#20242a",
+        "Button": "#fafbfc",
+        "ButtonText": "#20242a",
+        "ToolTipBase": "#ffffff",
+        "ToolTipText": "#20242a",
+        "PlaceholderText": "#6c727b",
+        "Light": "#ffffff",
+        "Midlight": "#e9ebee",
+        "Mid": "#d2d5da",
+        "Dark": "#a8adb6",
+        "Shadow": "#8a8f98",
+        "BrightText": "#ffffff",
+    },
+    ThemeName.DARK: {
+        "Window": "#26292f",
+        "WindowText": "#e8eaee",
+        "Base": "#1e2024",
+        "AlternateBase": "#26292f",
+        "Text": "#e8eaee",
+        "Button": "#353941",
+        "ButtonText": "#e8eaee",
+        "ToolTipBase": "#353941",
+        "ToolTipText": "#e8eaee",
+        "PlaceholderText": "#98a0aa",
+        "Light": "#4a4f59",
+        "Midlight": "#3c4048",
+        "Mid": "#3a3e46",
+        "Dark": "#17191c",
+        "Shadow": "#101114",
+        "BrightText": "#ffffff",
+    },
+}
+"""The palette of each theme. Fusion draws everything from these, so that panels and view are of one kind."""
 
-    Qt can ask the desktop for it only where there is one; a palette of our own works everywhere.
-    """
-    QApplication.setPalette(_palette(name))
+_FADED = {ThemeName.LIGHT: "#a3a8b0", ThemeName.DARK: "#6b717b"}
+"""The text of what is disabled."""
+
+
+def set_theme(name: ThemeName) -> None:
+    """Make all windows light or dark, whatever the system says."""
+    scheme = Qt.ColorScheme.Dark if name is ThemeName.DARK else Qt.ColorScheme.Light
+    QGuiApplication.styleHints().setColorScheme(scheme)
+    QApplication.setPalette(_palette(name))  # some platforms have no scheme to set
 
 
 def theme() -> ThemeName:
     """Return whether windows are light or dark now."""
-    is_dark = QGuiApplication.palette().color(QPalette.ColorRole.Window).lightness() < _MIDDLE_LIGHTNESS
-    return ThemeName.DARK if is_dark else ThemeName.LIGHT
+    return ThemeName.DARK if QGuiApplication.palette().window().color().lightnessF() < 0.5 else ThemeName.LIGHT
+
+
+def _follow_system() -> None:
+    is_dark = QGuiApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark
+    QApplication.setPalette(_palette(ThemeName.DARK if is_dark else ThemeName.LIGHT))
 
 
 def _palette(name: ThemeName) -> QPalette:
-    role = QPalette.ColorRole
-    palette = QPalette()
-    for place, color in _COLORS[name].items():
-        palette.setColor(role[place], QColor(color))
-    faint = QColor(_FAINT[name])
-    for place in (role.WindowText, role.Text, role.ButtonText, role.HighlightedText):
-        palette.setColor(QPalette.ColorGroup.Disabled, place, faint)
+    palette, roles = QPalette(), QPalette.ColorRole
+    for role, colour in _ROLES[name].items():
+        palette.setColor(roles[role], QColor(colour))
+    for role in (roles.WindowText, roles.Text, roles.ButtonText):
+        palette.setColor(QPalette.ColorGroup.Disabled, role, QColor(_FADED[name]))
+    accent = QColor(*theme_of(name).accent)
+    for role in (roles.Highlight, roles.Accent, roles.Link):
+        palette.setColor(role, accent)
+    palette.setColor(roles.HighlightedText, QColor("#ffffff" if name is ThemeName.LIGHT else "#10141c"))
     return palette

@@ -40,8 +40,12 @@ def create_window(path: str | None = None) -> MainWindow:
     QovrError : the source cannot be read
     """
     from qovr_app.main_window import MainWindow
+    from qovr_app.preferences import Preferences
+    from qovr_app.recovery import RecoveryStore
 
-    return MainWindow(None if path is None else str(path))
+    window = MainWindow(None if path is None else str(path), Preferences())
+    window.protect(RecoveryStore())
+    return window
 
 
 def _edit(arguments: argparse.Namespace) -> int:

@@ -3,31 +3,35 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QSize
-from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeySequence
-from PySide6.QtWidgets import QFileDialog, QLabel, QMainWindow, QMessageBox
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication
+from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
-from qovr_app.actions import Command, make_actions
+from qovr_app.actions import make_actions
 from qovr_app.appearance import NAME, theme
-from qovr_app.controller import Controller
-from qovr_app.dialogs.figure_dialog import FigureDialog
-from qovr_app.menus import fill_menu_bar, make_view_bar
-from qovr_app.session import DOCUMENT_SUFFIX, Session
+from qovr_app.controller import Controller, State
+from qovr_app.desk import Desk
+from qovr_app.dialogs.help_dialog import HelpDialog
+from qovr_app.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
+from qovr_app.panels.numbers import block_text
+from qovr_app.preferences import Preferences
+from qovr_app.recovery import Keeper, RecoveryStore
+from qovr_app.session import Session
+from qovr_app.status import MessageLine
 from qovr_app.view3d.settings import DisplaySettings
 from qovr_app.view_commands import view_commands
-from qovr_app.view_place import ViewPlace
-from qovr_core import AlignedPatch, QovrError
-from qovr_core.files.sources import PRESET_PREFIX, READERS
-from qovr_core.presets import presets
+from qovr_app.window_commands import go_commands, help_commands, window_commands
+from qovr_app.workspace import Workspace
+from qovr_core import AlignedPatch
+from qovr_core.files.sources import READERS
+from qovr_core.presets import figure_cases
 
 if TYPE_CHECKING:
     from qovr_app.view3d.view import View3D
 
-_FIRST_SIZE = QSize(1280, 800)
-_MESSAGE_MILLISECONDS = 12_000
+_FIRST_SIZE = QSize(1440, 900)
 _DRAG_HINT = "Drag: in the view plane. Hold X, Y or Z: along that axis. Esc: put the point back."
 
 
@@ -37,83 +41,92 @@ class MainWindow(QMainWindow):
     Parameters
     ----------
     source : what to open; None shows the paper's own example
+    preferences : what is remembered from one start to the next; None for a window that remembers nothing
 
     Raises
     ------
     QovrError : the source cannot be read
     """
 
-    def __init__(self, source: str | None = None) -> None:
+    def __init__(self, source: str | None = None, preferences: Preferences | None = None) -> None:
         super().__init__()
+        self.setObjectName("main_window")
+        self.setAcceptDrops(True)
         self.session = Session(self)
         if source is not None:
             self.session.open(source)
         self.controller = Controller(self.session, self)
+        self._preferences = preferences
         self._settings = DisplaySettings(theme=theme())
-        self._place = ViewPlace(self)
-        self._facts = QLabel(self)
-        self._facts.setObjectName("surface.facts")
-        self._folder = Path.cwd()
+        if preferences:
+            self._settings = preferences.display(self._settings)
+        self.workspace = Workspace(self.controller, self)
+        self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self)
+        self._keeper: Keeper | None = None
         self._result: AlignedPatch | None = None
-        self.commands = make_actions(self._commands(), self)
+        self._help: HelpDialog | None = None
+        self._facts = QLabel(self, objectName="surface.facts")
+        self._message = MessageLine(self)
+        self._make_commands()
         self._assemble()
         self._connect()
-        self.resize(_FIRST_SIZE)
-        self.controller.compute()
+        self._restore_layout()
+        self.link_curves(True)
+        self.controller.configure()
 
     @property
     def view(self) -> View3D:
         """The 3D view; asking for it brings it, if it has not come by itself yet."""
-        return self._place.fill()
+        return self.workspace.place.fill()
+
+    def protect(self, store: RecoveryStore) -> None:
+        """Keep what is not saved where a crash does not reach it, and offer what an earlier run left there."""
+        self._keeper = Keeper(self.session, store, self)
+        self._keeper.failed.connect(lambda reason: self.tell(reason, refused=True))
+        self.desk.offer(store)
+
+    def _make_commands(self) -> None:
+        self._table = [
+            *window_commands(self),
+            *view_commands(self._settings, self._set_settings, lambda: self._settings, self._look, self._fit),
+            *go_commands(self),
+            *help_commands(self),
+        ]
+        self.commands = make_actions(self._table, self)
 
     def _assemble(self) -> None:
-        self.setObjectName("main_window")
-        self.setCentralWidget(self._place)
-        fill_menu_bar(self.menuBar(), self._table, self.commands)
-        self.addToolBar(make_view_bar(self.commands, self))
+        self.workspace.add_bars(make_edit_bar(self.commands, self), make_view_bar(self.commands, self))
+        middle = QWidget(self)
+        layout = QVBoxLayout(middle)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self.desk.notice)
+        layout.addWidget(self.workspace, 1)
+        self.setCentralWidget(middle)
+        menus = fill_menu_bar(self.menuBar(), self._table, self.commands)
+        menus["File"].insertMenu(self.commands["preset_fig5"], RecentMenu(self.desk, self))
+        self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)
         self._show_location()
 
     def _connect(self) -> None:
-        self._place.filled.connect(self._on_view_came)
+        space, surface, history = self.workspace, self.workspace.surface, self.session.history
+        space.place.filled.connect(self._on_view_came)
+        space.points.point_focused.connect(self._on_point_focused)
+        surface.export_requested.connect(self.desk.export)
+        surface.figure_requested.connect(self.desk.save_figure)
+        self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))
+        self.desk.opened.connect(self._on_opened)
+        self.session.opened.connect(space.drop_text)
         self.session.location_changed.connect(self._show_location)
-        self.session.history.cleanChanged.connect(lambda _clean: self._show_location())
-        self.session.history.canUndoChanged.connect(self.commands["undo"].setEnabled)
-        self.session.history.canRedoChanged.connect(self.commands["redo"].setEnabled)
-        self.session.history.undoTextChanged.connect(lambda text: self._name("undo", "&Undo", text))
-        self.session.history.redoTextChanged.connect(lambda text: self._name("redo", "&Redo", text))
+        history.cleanChanged.connect(lambda _clean: self._show_location())
+        history.canUndoChanged.connect(self.commands["undo"].setEnabled)
+        history.canRedoChanged.connect(self.commands["redo"].setEnabled)
+        history.undoTextChanged.connect(lambda text: self._name("undo", "&Undo", text))
+        history.redoTextChanged.connect(lambda text: self._name("redo", "&Redo", text))
         self.controller.result_changed.connect(self._on_result_changed)
-        self.controller.refused.connect(self.tell)
-        QGuiApplication.styleHints().colorSchemeChanged.connect(self._follow_system)
-
-    def _commands(self) -> list[Command]:
-        key = QKeySequence.StandardKey
-        self._table = [
-            Command("open", "&Open…", self.open_dialog, "&File", key.Open),
-            *(
-                Command(
-                    f"preset_{name}",
-                    f"{name}  {entry.title}",
-                    lambda name=name: self.open_source(f"{PRESET_PREFIX}{name}"),
-                    "&File/&Presets of the paper",
-                )
-                for name, entry in presets().items()
-            ),
-            Command("save", "&Save", self.save, "&File", key.Save),
-            Command("save_as", "Save &As…", self.save_as, "&File", key.SaveAs),
-            Command("save_figure", "Save Fi&gure…", self.save_figure, "&File", "Ctrl+G"),
-            Command("close", "&Close", self.close, "&File", key.Close),
-            Command("undo", "&Undo", self.session.history.undo, "&Edit", key.Undo),
-            Command("redo", "&Redo", self.session.history.redo, "&Edit", key.Redo),
-            *view_commands(
-                self._settings,
-                self._set_settings,
-                lambda: self._settings,
-                self._look,
-                self._fit,
-            ),
-        ]
-        return self._table
+        self.controller.state_changed.connect(self._on_state_changed)
+        self.controller.refused.connect(lambda text: self.tell(text, refused=True))
 
     # What the window is told
 
@@ -121,7 +134,7 @@ class MainWindow(QMainWindow):
         view.set_settings(self._settings)
         view.point_dragged.connect(self.controller.drag_point)
         view.drag_cancelled.connect(self.session.cancel)
-        view.drag_finished.connect(lambda _gesture: self.statusBar().clearMessage())
+        view.drag_finished.connect(lambda _gesture: self._message.clear())
         view.point_selected.connect(self._on_point_selected)
         view.fell_back.connect(self._on_fell_back)
         if self._result is not None:
@@ -129,42 +142,55 @@ class MainWindow(QMainWindow):
         view.set_camera("paper", animated=False)
 
     def _on_fell_back(self, reason: str) -> None:
-        self.tell(
-            f"{reason.rstrip('.')}. The surface is drawn by the 2D painter instead; everything else works.", stay=True
-        )
+        self.tell(f"{reason.rstrip('.')}. The surface is drawn by the 2D painter instead; everything else works.")
 
     def _on_point_selected(self, index: tuple[int, int] | None) -> None:
+        self.workspace.points.mark_point(index)
         if index is None:
-            self.statusBar().clearMessage()
+            self._message.clear()
             return
         i, j = index
         x, y, z = self.session.document.control_points[i, j]
-        self.tell(f"P {i},{j} = ({x:.6g}, {y:.6g}, {z:.6g}).  {_DRAG_HINT}", stay=True)
+        self.tell(f"P {i},{j} = ({x:.6g}, {y:.6g}, {z:.6g}).  {_DRAG_HINT}")
+
+    def _on_point_focused(self, i: int, j: int) -> None:
+        self.workspace.points.mark_point((i, j))
+        if self.workspace.place.view is not None:
+            self.workspace.place.view.select(i, j)
+
+    def _on_opened(self, preset: str) -> None:
+        self.workspace.points.mark_point(None)
+        self.view.select(None)
+        cameras = {case.camera for case in figure_cases().values() if case.preset.name == preset}
+        if len(cameras) == 1:
+            self.view.set_camera(cameras.pop(), animated=False)
+        else:
+            self.view.fit(animated=False)
 
     def _on_result_changed(self, result: AlignedPatch) -> None:
         self._result = result
-        document, (degree_u, degree_v) = result.document, result.patch.degree
-        n, m = document.samples
-        self._facts.setText(f"{document.formulation}   {n} × {m} samples   degree {degree_u} × {degree_v} ")
-        if self._place.view is not None:
-            self._place.view.set_result(result)
+        if self.workspace.place.view is not None:
+            self.workspace.place.view.set_result(result)
 
-    def _set_settings(self, settings: DisplaySettings) -> None:
-        self._settings = settings
-        if self._place.view is not None:
-            self._place.view.set_settings(settings)
+    def _on_state_changed(self, state: State) -> None:
+        self.commands["export"].setEnabled(not state.is_stale)
+        if state.result is None:
+            self._facts.setText("no surface ")
+            return
+        (degree_u, degree_v), (n, m) = state.result.patch.degree, state.result.document.samples
+        stale = "stale   " if state.is_stale else ""
+        name = state.result.document.formulation
+        self._facts.setText(f"{stale}{name}   {n} × {m} samples   degree {degree_u} × {degree_v} ")
 
-    def _look(self, camera: str) -> None:
-        self.view.set_camera(camera)
-
-    def _fit(self) -> None:
-        self.view.fit()
-
-    def _follow_system(self) -> None:
-        self._set_settings(replace(self._settings, theme=theme()))
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.ApplicationPaletteChange and self._settings.theme is not theme():
+            self._set_settings(replace(self._settings, theme=theme()))
 
     def _name(self, command: str, verb: str, text: str) -> None:
         self.commands[command].setText(f"{verb} {text}".strip())
+        self.commands[command].setToolTip(f"{verb} {text}".replace("&", "").strip())
+        self.commands[command].setIconText(verb.replace("&", ""))
 
     def _show_location(self) -> None:
         self.setWindowTitle(f"{self.session.title}[*] - {NAME}")
@@ -172,92 +198,100 @@ class MainWindow(QMainWindow):
         for name in ("undo", "redo"):
             self.commands[name].setEnabled(getattr(self.session.history, f"can{name.capitalize()}")())
 
-    def tell(self, text: str, *, stay: bool = False) -> None:
+    def tell(self, text: str, *, refused: bool = False) -> None:
         """Say one sentence in the message line."""
-        self.statusBar().showMessage(text, 0 if stay else _MESSAGE_MILLISECONDS)
+        self._message.say(text, is_refusal=refused)
 
     # What the user asks for
 
-    def open_dialog(self) -> None:
-        """Ask for a file and open it."""
-        kinds = " ".join(f"*{suffix}" for suffix in READERS)
-        name, _ = QFileDialog.getOpenFileName(self, "Open", str(self._folder), f"Documents and workbooks ({kinds})")
-        if name:
-            self.open_source(name)
+    def link_curves(self, is_linked: bool) -> None:
+        """Choose whether the five curves of a direction share their knots from now on."""
+        self.controller.link_curves(is_linked)
+        self._show_links()
 
-    def open_source(self, source: str) -> None:
-        """Open a file or a preset, after asking about unsaved changes; what cannot be read changes nothing."""
-        if not self._may_leave():
-            return
-        try:
-            self.session.open(source)
-        except QovrError as error:
-            self.tell(str(error), stay=True)
-            return
-        if not source.startswith(PRESET_PREFIX):
-            self._folder = Path(source).parent
-        self.tell(f"Opened {self.session.title}")
-        self.view.select(None)
-        self.view.fit(animated=False)
+    def link_directions(self, is_linked: bool) -> None:
+        """Choose whether rows and columns share their knots from now on."""
+        self.controller.link_directions(is_linked)
+        self._show_links()
 
-    def save(self) -> bool:
-        """Save to the document's file, asking for one where there is none; return whether it was saved."""
-        if self.session.path is None:
-            return self.save_as()
-        return self._save_to(self.session.path)
+    def _show_links(self) -> None:
+        curves, directions = (self.commands[name].isChecked() for name in ("link_curves", "link_directions"))
+        for zone in (self.workspace.rows, self.workspace.columns):
+            zone.set_links(curves=curves, directions=directions)
 
-    def save_as(self) -> bool:
-        """Ask for a file and save to it; return whether it was saved."""
-        first = self._folder / f"{Path(self.session.title).stem}{DOCUMENT_SUFFIX}"
-        name, _ = QFileDialog.getSaveFileName(self, "Save As", str(first), f"QOVR documents (*{DOCUMENT_SUFFIX})")
-        if not name:
-            return False
-        path = Path(name)
-        return self._save_to(
-            path if path.suffix.lower() == DOCUMENT_SUFFIX else path.with_name(path.name + DOCUMENT_SUFFIX)
-        )
+    def copy_zone(self) -> None:
+        """Copy the zone that has the keyboard as a spreadsheet takes it."""
+        zone = self.workspace.current_zone()
+        QGuiApplication.clipboard().setText(block_text(zone.copied_block()))
+        self.tell(f"Copied the {zone.accessibleName().lower()}")
 
-    def _save_to(self, path: Path) -> bool:
-        try:
-            self.session.save(path)
-        except QovrError as error:
-            self.tell(str(error), stay=True)
-            return False
-        self._folder = path.parent
-        self.tell(f"Saved {path.name}")
-        return True
+    def copy_plane(self) -> None:
+        """Copy one coordinate of all control points as a spreadsheet takes it."""
+        QGuiApplication.clipboard().setText(block_text(self.workspace.points.copied_plane()))
+        self.tell("Copied one coordinate of all control points")
 
-    def save_figure(self) -> None:
-        """Ask how large and where, and write what is seen."""
-        dialog = FigureDialog(self._folder / f"{Path(self.session.title).stem}.png", self)
-        if dialog.exec() != FigureDialog.DialogCode.Accepted:
-            return
-        try:
-            self.view.save_figure(dialog.path, dialog.options)
-        except QovrError as error:
-            self.tell(str(error), stay=True)
-            return
-        self._folder = dialog.path.parent
-        self.tell(f"Saved {dialog.path.name}")
+    def paste_zone(self) -> None:
+        """Paste a spreadsheet's block into the zone that has the keyboard."""
+        self.workspace.current_zone().paste_block(QGuiApplication.clipboard().text())
 
-    def _may_leave(self) -> bool:
-        """Ask about unsaved changes; return whether the document may go."""
-        if not self.session.is_changed:
-            return True
-        button = QMessageBox.StandardButton
-        answer = QMessageBox.question(
-            self,
-            NAME,
-            f"Save the changes to {self.session.title}?",
-            button.Save | button.Discard | button.Cancel,
-            button.Save,
-        )
-        if answer == button.Save:
-            return self.save()
-        return answer == button.Discard
+    def show_help(self) -> None:
+        """Show the help beside the work."""
+        if self._help is None:
+            self._help = HelpDialog(self)
+        self._help.show()
+        self._help.raise_()
+
+    def focus_view(self) -> None:
+        """Bring the keyboard to the 3D view."""
+        self.view.viewports[0].setFocus(Qt.FocusReason.ShortcutFocusReason)
+
+    def _look(self, camera: str) -> None:
+        self.view.set_camera(camera)
+
+    def _fit(self) -> None:
+        self.view.fit()
+
+    def _set_settings(self, settings: DisplaySettings) -> None:
+        self._settings = settings
+        if self.workspace.place.view is not None:
+            self.workspace.place.view.set_settings(settings)
+
+    # Coming and going
+
+    def _restore_layout(self) -> None:
+        self.resize(_FIRST_SIZE)
+        if self._preferences:
+            self.restoreGeometry(self._preferences.bytes_of("geometry"))
+            for name in self.workspace.layout_states():
+                self.workspace.restore_layout(name, self._preferences.bytes_of(name))
+
+    def _remember_layout(self) -> None:
+        if self._preferences:
+            self._preferences.set_bytes("geometry", self.saveGeometry())
+            for name, state in self.workspace.layout_states().items():
+                self._preferences.set_bytes(name, state)
+            self._preferences.set_display(self._settings)
+
+    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+        if _dropped_source(event):
+            event.acceptProposedAction()
+
+    def dropEvent(self, event: QDropEvent) -> None:
+        event.acceptProposedAction()
+        self.desk.open_source(_dropped_source(event))
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        if self._may_leave():
-            super().closeEvent(event)
-        else:
+        if not self.desk.may_leave():
             event.ignore()
+            return
+        self._remember_layout()
+        self.desk.release()
+        if self._keeper is not None:
+            self._keeper.close()
+        super().closeEvent(event)
+
+
+def _dropped_source(event: QDropEvent) -> str:
+    """Return the first dropped file that can be opened; empty where there is none."""
+    paths = (url.toLocalFile() for url in event.mimeData().urls())
+    return next((path for path in paths if path.lower().endswith(tuple(READERS))), "")

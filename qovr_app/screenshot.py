@@ -98,5 +98,8 @@ def take_picture(window: MainWindow, *, camera: str) -> QImage:
     surface = view.image()
     painter = QPainter(picture)
     painter.drawImage(view.mapTo(window, QPoint(0, 0)), surface)
+    mark = window.workspace.place.stale_mark
+    if mark.isVisible():
+        painter.drawPixmap(mark.mapTo(window, QPoint(0, 0)), mark.grab())
     painter.end()
     return picture

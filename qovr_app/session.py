@@ -57,10 +57,12 @@ class Session(QObject):
     -------
     document_changed : before and after, two Documents; also when a file is opened
     location_changed : the file or the title is another one
+    opened : the document is another one altogether, with a history of its own
     """
 
     document_changed = Signal(object, object)
     location_changed = Signal()
+    opened = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -97,7 +99,7 @@ class Session(QObject):
         text : the step's name, as "Move P 2,3"
         gesture : a number that all steps of one drag share; they become one step
         """
-        if document != self._document or gesture is not None:
+        if document != self._document:
             self.history.push(_Replace(self, text, document, gesture))
 
     def cancel(self, gesture: int) -> None:
@@ -120,8 +122,14 @@ class Session(QObject):
         self._title = source.removeprefix(PRESET_PREFIX) if path is None else path.name
         self._path = path if path and path.suffix.lower() == DOCUMENT_SUFFIX else None
         self.history.clear()
-        self._show(document)
-        self.location_changed.emit()
+        self._begin(document)
+
+    def restore(self, document: Document, title: str, path: Path | None) -> None:
+        """Go on with a document that was never saved to its file."""
+        self._title, self._path = title, path
+        self.history.clear()
+        self.history.resetClean()
+        self._begin(document)
 
     def save(self, path: Path | None = None) -> None:
         """Write the document to its file, or to another that becomes its file.
@@ -137,6 +145,11 @@ class Session(QObject):
         write_document(self._document, target)
         self._path, self._title = target.resolve(), target.name
         self.history.setClean()
+        self.location_changed.emit()
+
+    def _begin(self, document: Document) -> None:
+        self._show(document)
+        self.opened.emit()
         self.location_changed.emit()
 
     def _show(self, document: Document) -> None:

@@ -21,14 +21,14 @@ SHOWN = {
     "control_box": "&Box of the control points",
     "surface_box": "Box of the sur&face",
     "axes": "&Axes",
-    "colour_bar": "Co&lour bar",
+    "colour_bar": "Colo&ur bar",
 }
 """What can be switched off, by its field of DisplaySettings."""
 
 CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]] = {
     "layer": (
         Layer,
-        "View",
+        "&View",
         {
             "raw": ("&Raw surface", "1"),
             "transformed": ("&Transformed surface", "2"),
@@ -37,7 +37,7 @@ CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]]
     ),
     "style": (
         Style,
-        "View/St&yle",
+        "&View/St&yle",
         {
             "facets": ("&Facets", None),
             "smooth": ("&Smooth shading", None),
@@ -45,15 +45,15 @@ CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]]
             "points": ("&Points", None),
         },
     ),
-    "colour_map": (ColourMap, "View/&Colours", {name: (f"&{name.capitalize()}", None) for name in ColourMap}),
+    "colour_map": (ColourMap, "&View/&Colours", {name: (f"&{name.capitalize()}", None) for name in ColourMap}),
     "scaling": (
         Scaling,
-        "View/&Axes scaling",
+        "&View/&Axes scaling",
         {"each": ("&Each axis by itself", None), "equal": ("E&qual scales", None)},
     ),
     "projection": (
         Projection,
-        "View/&Projection",
+        "&View/&Projection",
         {"parallel": ("Pa&rallel", None), "perspective": ("&Perspective", None)},
     ),
 }
@@ -61,7 +61,7 @@ CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]]
 CAMERAS = {
     "paper": ("&Paper's view", "Ctrl+1", "Azimuth 36, elevation 64 degrees, as in the paper's figures"),
     "top": ("&Top", "Ctrl+2", "From above, as the paper's Figures 7 and 8b"),
-    "front": ("&Front", "Ctrl+3", "Along the y axis"),
+    "front": ("Fr&ont", "Ctrl+3", "Along the y axis"),
     "right": ("R&ight", "Ctrl+4", "Along the x axis"),
 }
 
@@ -99,10 +99,10 @@ def view_commands(
             )
     for field, text in SHOWN.items():
         shown = getattr(settings, field)
-        commands.append(Command(f"show_{field}", text, switch(field), "View/&Show", checked=shown))
-    commands.append(Command("fit", "&Fit", fit, "View/Ca&mera", "F", tip="Show the whole surface and net"))
+        commands.append(Command(f"show_{field}", text, switch(field), "&View/&Show", checked=shown))
+    commands.append(Command("fit", "&Fit", fit, "&View/Ca&mera", "F", tip="Show the whole surface and net"))
     for name, (text, shortcut, tip) in CAMERAS.items():
         commands.append(
-            Command(f"camera_{name}", text, lambda name=name: look(name), "View/Ca&mera", shortcut, tip=tip)
+            Command(f"camera_{name}", text, lambda name=name: look(name), "&View/Ca&mera", shortcut, tip=tip)
         )
     return commands

@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.document import Document, Formulation
+from qovr_core.arrays import Array
+from qovr_core.document import NET_SIZE, Document, Formulation
 from qovr_core.errors import DocumentError
-from qovr_core.knots import Knots
+from qovr_core.knots import Knots, knot_array
 
 
 class Direction(StrEnum):
@@ -18,6 +20,43 @@ class Direction(StrEnum):
 
     ROWS = "row_knots"
     COLUMNS = "column_knots"
+
+
+class Zone(StrEnum):
+    """The parts of a document that are set as a whole, by the names of its fields."""
+
+    ROW_KNOTS = "row_knots"
+    COLUMN_KNOTS = "column_knots"
+    CONTROL_POINTS = "control_points"
+
+
+@dataclass(frozen=True, slots=True)
+class KnotPlace:
+    """Where one knot stands: its family of curves, the curve's number, and ``r``, ``s``, ``u`` (v_ip) or ``t``."""
+
+    direction: Direction
+    curve: int
+    name: str
+
+    def __str__(self) -> str:
+        name = "v" if self.direction is Direction.COLUMNS and self.name == "u" else self.name
+        return f"{self.direction}[{self.curve}].{name}"
+
+
+@dataclass(frozen=True, slots=True)
+class CoordinatePlace:
+    """Where one coordinate stands: of P_{i,j} along axis 0, 1 or 2."""
+
+    i: int
+    j: int
+    axis: int
+
+    def __str__(self) -> str:
+        return f"control_points[{self.i}][{self.j}][{self.axis}]"
+
+
+Place = KnotPlace | CoordinatePlace
+"""One number of a document; ``str`` gives it in the document's own words."""
 
 
 def knots_of(document: Document, direction: Direction) -> tuple[Knots, ...]:
@@ -73,3 +112,70 @@ def set_formulation(document: Document, formulation: Formulation) -> Document:
 def set_samples(document: Document, samples: tuple[int, int]) -> Document:
     """Return the document with other sample counts along u and v."""
     return replace(document, samples=samples)
+
+
+def value_at(document: Document, place: Place) -> float:
+    """Return the number that stands at a place."""
+    if isinstance(place, CoordinatePlace):
+        return float(document.control_points[place.i, place.j, place.axis])
+    value: float = getattr(knots_of(document, place.direction)[place.curve], place.name)
+    return value
+
+
+def set_values(document: Document, values: Mapping[Place, float]) -> Document:
+    """Return the document with several numbers changed, all or none of them.
+
+    Raises
+    ------
+    DocumentError : a value is not valid at its place
+    """
+    net = document.control_points.copy()
+    curves = {direction: list(knots_of(document, direction)) for direction in Direction}
+    for place, value in values.items():
+        if isinstance(place, CoordinatePlace):
+            net[place.i, place.j, place.axis] = value
+            continue
+        try:
+            changed = replace(curves[place.direction][place.curve], **{place.name: value})
+        except DocumentError as error:
+            raise DocumentError(str(place), error.found, error.expected) from None
+        curves[place.direction][place.curve] = changed
+    rows, columns = (tuple(curves[direction]) for direction in Direction)
+    return replace(document, control_points=net, row_knots=rows, column_knots=columns)
+
+
+def linked_places(place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
+    """Return the places that change together with one knot.
+
+    Parameters
+    ----------
+    curves : whether all five curves of a direction share their knots
+    directions : whether both directions share their knots, curve by curve
+    """
+    numbers = range(NET_SIZE) if curves else (place.curve,)
+    families = tuple(Direction) if directions else (place.direction,)
+    return tuple(KnotPlace(family, number, place.name) for family in families for number in numbers)
+
+
+def copy_zone(source: Document, target: Document, zone: Zone) -> Document:
+    """Return ``target`` with one zone as it stands in ``source``."""
+    if zone is Zone.CONTROL_POINTS:
+        return replace(target, control_points=source.control_points)
+    if zone is Zone.ROW_KNOTS:
+        return replace(target, row_knots=source.row_knots)
+    return replace(target, column_knots=source.column_knots)
+
+
+def rebase(draft: Document, before: Document, after: Document) -> Document:
+    """Return ``draft`` on new ground: what it changed in ``before`` stays, everything else is as in ``after``."""
+
+    def merged(mine: Array, old: Array, new: Array) -> Array:
+        return np.where(mine == old, new, mine)
+
+    nets = (document.control_points for document in (draft, before, after))
+    families = [
+        merged(*(knot_array(knots_of(document, direction)) for document in (draft, before, after)))
+        for direction in Direction
+    ]
+    rows, columns = (tuple(Knots(*knots) for knots in family.tolist()) for family in families)
+    return replace(after, control_points=merged(*nets), row_knots=rows, column_knots=columns)

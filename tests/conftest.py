@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 
-SCREEN = "1920x1440x24"
+SCREEN = "2600x1600x24"
 _XVFB_SECONDS = 20
 
 
@@ -53,17 +53,15 @@ def qt_messages() -> list[str]:
 def app(display: None, qt_messages: list[str]) -> Iterator[object]:
     """The one QApplication of the session."""
     from PySide6.QtCore import QtMsgType, qInstallMessageHandler
-    from PySide6.QtWidgets import QApplication
 
-    from qovr_app.view3d.probe import set_default_format
+    from qovr_app.appearance import make_application
 
     def on_message(kind: QtMsgType, context: object, text: str) -> None:
         if kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg):
             qt_messages.append(text)
 
     qInstallMessageHandler(on_message)
-    set_default_format()
-    application = QApplication.instance() or QApplication(["qovr-tests"])
+    application = make_application(["qovr-tests"])
     application.setQuitOnLastWindowClosed(False)
     yield application
     qInstallMessageHandler(None)

@@ -1,0 +1,198 @@
+"""Export Data: which format, what it keeps, where to, and how far it is."""
+
+from __future__ import annotations
+
+import os
+from math import prod
+from pathlib import Path
+
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import (
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QGridLayout,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QProgressBar,
+    QPushButton,
+    QTreeWidget,
+    QTreeWidgetItem,
+    QVBoxLayout,
+    QWidget,
+)
+
+from qovr_app.dialogs.export_job import ExportJob
+from qovr_core import Document
+from qovr_core.files import FORMATS, Format
+
+_PROGRESS_PARTS = 1000
+_WIDTH = 680
+_FIRST_FORMAT = ".xlsx"
+
+
+class ExportDialog(QDialog):
+    """Writes one configured document in a format of the one table of formats.
+
+    Signals
+    -------
+    exported : the path that was written
+    """
+
+    exported = Signal(object)
+
+    def __init__(self, document: Document, stem: Path, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Export Data")
+        self.setObjectName("export")
+        self._document = document
+        self._job: ExportJob | None = None
+        self._formats = self._make_formats()
+        self._path = QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self, objectName="export.path")
+        self._browse = QPushButton("&Browse…", self, objectName="export.browse")
+        self._note = QLabel(self, objectName="export.note", wordWrap=True)
+        self._bar = QProgressBar(self, objectName="export.progress")
+        self._bar.setRange(0, _PROGRESS_PARTS)
+        self._bar.setVisible(False)
+        self._buttons = QDialogButtonBox(self)
+        self._start = self._buttons.addButton("&Export", QDialogButtonBox.ButtonRole.AcceptRole)
+        self._cancel = self._buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
+        self._start.setObjectName("export.start")
+        self._cancel.setObjectName("export.cancel")
+        self._arrange()
+        self._connect()
+        self._choose(_FIRST_FORMAT)
+
+    @property
+    def path(self) -> Path | None:
+        """Where to, with the chosen format's suffix; None where no file is named."""
+        text = self._path.text().strip()
+        path = Path(text)
+        if not path.name or text.endswith(("/", os.sep)):
+            return None
+        suffix = self._entry.suffix
+        return path if path.suffix.lower() == suffix else path.with_name(path.name + suffix)
+
+    @property
+    def _entry(self) -> Format:
+        return FORMATS[self._formats.currentItem().data(0, Qt.ItemDataRole.UserRole)]
+
+    def reject(self) -> None:
+        if self._job is None:
+            super().reject()
+        else:
+            self._cancel.setEnabled(False)
+            self._note.setText("Cancelling…")
+            self._job.cancel()
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() == Qt.Key.Key_Escape:
+            self.reject()
+        else:
+            super().keyPressEvent(event)
+
+    def _make_formats(self) -> QTreeWidget:
+        tree = QTreeWidget(self, objectName="export.format")
+        tree.setAccessibleName("Format")
+        tree.setHeaderLabels(["Format", "Suffix", "Keeps"])
+        tree.setRootIsDecorated(False)
+        tree.setAllColumnsShowFocus(True)
+        tree.setWordWrap(True)
+        for entry in FORMATS.values():
+            item = QTreeWidgetItem([entry.name, entry.suffix, entry.keeps])
+            item.setData(0, Qt.ItemDataRole.UserRole, entry.suffix)
+            item.setToolTip(2, entry.keeps)
+            tree.addTopLevelItem(item)
+        for column in range(2):
+            tree.header().setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+        tree.header().setStretchLastSection(True)
+        return tree
+
+    def _arrange(self) -> None:
+        grid = QGridLayout()
+        file_label = QLabel("&File", self)
+        file_label.setBuddy(self._path)
+        grid.addWidget(file_label, 0, 0)
+        grid.addWidget(self._path, 0, 1)
+        grid.addWidget(self._browse, 0, 2)
+        layout = QVBoxLayout(self)
+        layout.addWidget(self._formats, 1)
+        layout.addLayout(grid)
+        layout.addWidget(self._note)
+        layout.addWidget(self._bar)
+        layout.addWidget(self._buttons)
+        self.resize(_WIDTH, self.sizeHint().height())
+
+    def _connect(self) -> None:
+        self._formats.currentItemChanged.connect(self._on_format_chosen)
+        self._formats.itemActivated.connect(lambda *_: self._run())
+        self._path.textEdited.connect(self._on_path_typed)
+        self._browse.clicked.connect(self._on_browse)
+        self._buttons.accepted.connect(self._run)
+        self._buttons.rejected.connect(self.reject)
+
+    def _choose(self, suffix: str) -> None:
+        for row in range(self._formats.topLevelItemCount()):
+            item = self._formats.topLevelItem(row)
+            if item.data(0, Qt.ItemDataRole.UserRole) == suffix:
+                self._formats.setCurrentItem(item)
+        self._describe()
+
+    def _on_format_chosen(self) -> None:
+        path = Path(self._path.text())
+        if path.suffix.lower() in FORMATS:
+            path = path.with_suffix(self._entry.suffix)
+        self._path.setText(str(path))
+        self._describe()
+
+    def _on_path_typed(self, text: str) -> None:
+        if Path(text).suffix.lower() in FORMATS:
+            with QSignalBlocker(self._formats):
+                self._choose(Path(text).suffix.lower())
+        self._describe()
+
+    def _describe(self) -> None:
+        n, m = self._document.samples
+        parts = [f"{n} × {m} samples, {prod(self._document.samples):,} points."]
+        path = self.path
+        if path is not None and path.is_file():
+            parts.append(f"{path.name} exists and will be replaced.")
+        self._note.setText("  ".join(parts))
+        self._start.setEnabled(path is not None)
+
+    def _on_browse(self) -> None:
+        kinds = ";;".join(f"{entry.name} (*{entry.suffix})" for entry in FORMATS.values())
+        kind = f"{self._entry.name} (*{self._entry.suffix})"
+        options = QFileDialog.Option.DontConfirmOverwrite  # the dialog says so itself
+        name, _ = QFileDialog.getSaveFileName(self, "Export Data", self._path.text(), kinds, kind, options)
+        if name:
+            self._path.setText(name)
+            self._on_path_typed(name)
+
+    def _run(self) -> None:
+        if self._job is not None or self.path is None:
+            return
+        self._set_running(True)
+        self._job = ExportJob(self._document, self._entry, self.path, self)
+        self._job.progressed.connect(lambda part: self._bar.setValue(round(part * _PROGRESS_PARTS)))
+        self._job.ended.connect(self._on_ended)
+        self._job.start()
+
+    def _set_running(self, is_running: bool) -> None:
+        for widget in (self._formats, self._path, self._browse, self._start):
+            widget.setEnabled(not is_running)
+        self._cancel.setEnabled(True)
+        self._bar.setValue(0)
+        self._bar.setVisible(is_running)
+
+    def _on_ended(self, reason: str | None) -> None:
+        self._job.wait()
+        self._job = None
+        self._set_running(False)
+        if reason == "":
+            self.exported.emit(self.path)
+            self.accept()
+        else:
+            self._note.setText("Cancelled; nothing was written." if reason is None else reason)

@@ -1,0 +1,35 @@
+"""The help inside the program."""
+
+from __future__ import annotations
+
+from importlib.resources import files
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
+
+_SIZE = QSize(720, 640)
+_MARGIN = 16
+
+
+class HelpDialog(QDialog):
+    """A page to read beside the work."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Help")
+        self.setObjectName("help")
+        text = QTextBrowser(self, objectName="help.text")
+        text.setOpenExternalLinks(True)
+        text.setFrameShape(QTextBrowser.Shape.NoFrame)
+        text.document().setDocumentMargin(_MARGIN)
+        text.setMarkdown(files("qovr_resources").joinpath("help", "help.md").read_text(encoding="utf-8"))
+        text.setTextInteractionFlags(
+            Qt.TextInteractionFlag.TextBrowserInteraction | Qt.TextInteractionFlag.TextSelectableByKeyboard
+        )
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close, self)
+        buttons.rejected.connect(self.reject)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, _MARGIN // 2)
+        layout.addWidget(text)
+        layout.addWidget(buttons)
+        self.resize(_SIZE)

@@ -1,0 +1,1 @@
+"""The four control zones of the window: they show documents and report what the user wants."""

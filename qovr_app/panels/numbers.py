@@ -1,0 +1,80 @@
+"""Numbers as text: what a field says, what may be typed, and blocks for spreadsheets."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+
+from qovr_core import DocumentError
+
+_NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
+_MINUS_SIGN = "\N{MINUS SIGN}"
+_MORE_DIGITS = "…"
+_MOST_DIGITS = 16
+_LONGEST_QUOTE = 24
+
+
+def number_text(value: float) -> str:
+    """Return the shortest text that reads back as the very same number."""
+    return repr(float(value)).removesuffix(".0").replace("e+", "e").replace("e-0", "e-")
+
+
+def typed_number(text: str) -> float | str | None:
+    """Return the number that a text says with a point or a comma; the text itself where it says none.
+
+    An empty text gives None. What comes back is for a check of ``qovr_core.checks``, which refuses it in words.
+    """
+    text = text.strip().replace(_MINUS_SIGN, "-")
+    if not text:
+        return None
+    if not _NUMBER.fullmatch(text):
+        return text if len(text) <= _LONGEST_QUOTE else text[:_LONGEST_QUOTE] + _MORE_DIGITS
+    return float(text.replace(",", "."))
+
+
+def fitted_text(value: float, fits: Callable[[str], bool]) -> str:
+    """Return a number's text with as many digits as fit; an ellipsis stands for those that do not.
+
+    Magnitude and sign are never cut off: where the whole part does not fit, the text gets an exponent.
+    """
+    exact = number_text(value)
+    if fits(exact):
+        return exact
+    for digits in range(_MOST_DIGITS, 0, -1):
+        mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
+        power = f"e{int(exponent)}" if exponent else ""
+        if fits(text := f"{mantissa}{_MORE_DIGITS}{power}"):
+            return text
+    return text
+
+
+def block_text(rows: Sequence[Sequence[float]]) -> str:
+    """Return rows of numbers as a spreadsheet takes them: tabs, line ends, full precision."""
+    return "".join("\t".join(map(number_text, row)) + "\n" for row in rows)
+
+
+def is_block(text: str) -> bool:
+    """Return whether a text holds more than one cell."""
+    return "\t" in text.strip("\r\n") or len(text.strip("\r\n").splitlines()) > 1
+
+
+def typed_block(text: str) -> list[list[float]]:
+    """Return the rows of numbers in a spreadsheet's text.
+
+    Raises
+    ------
+    DocumentError : a cell holds no number, or the rows are of different lengths; it names the cell
+    """
+    rows = []
+    for r, line in enumerate(text.strip("\r\n").splitlines(), start=1):
+        cells = [typed_number(cell) for cell in line.split("\t")]
+        for c, cell in enumerate(cells, start=1):
+            if not isinstance(cell, float):
+                found = "empty" if cell is None else repr(cell)
+                raise DocumentError(f"row {r}, column {c} of what is pasted", found, "a number, as 0.35 or 0,35")
+        if rows and len(cells) != len(rows[0]):
+            raise DocumentError(
+                f"row {r} of what is pasted", f"{len(cells)} cells long", f"{len(rows[0])} cells, as the rows above"
+            )
+        rows.append(cells)
+    return rows

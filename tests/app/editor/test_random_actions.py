@@ -1,0 +1,109 @@
+"""Thousands of random actions: no exception, no Qt warning, and fields that always agree with the document."""
+
+import random
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox
+
+from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
+
+ACTIONS = 2000
+CHECK_EVERY = 20
+NAMES = [name_of(place) for place in (*ROW_FIELDS, *COLUMN_FIELDS, *POINT_FIELDS)]
+NUMBERS = ["0.5", "0,25", "0.875", "1", "0", "-3", "12.5", "1e-3", "1e300", "", "abc", "0.1\t0.2", "0.3333333333333333"]
+COMMANDS = [
+    *("undo", "redo") * 6,
+    *("live", "link_curves", "link_directions", "configure", "get_values", "set_values"),
+    *("copy_zone", "copy_plane", "paste_zone"),
+    *("layer_raw", "layer_transformed", "style_smooth", "style_facets", "scaling_equal", "scaling_each"),
+    *("preset_fig5", "preset_fig6c", "preset_fig8", "camera_top", "camera_paper", "fit"),
+    *("go_row_knots", "go_view", "go_surface"),
+]
+BUTTONS = [f"{zone}.{verb}" for zone in ("row_knots", "column_knots", "control_points") for verb in ("get", "set")]
+KEYS = [Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_Escape, Qt.Key.Key_Tab, Qt.Key.Key_Return]
+
+
+def type_into_a_field(editor, rng):
+    field = editor.fields[rng.choice(NAMES)]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, rng.choice(NUMBERS))
+    if rng.random() < 0.8:
+        QTest.keyClick(field, rng.choice(KEYS))
+
+
+def press_keys_in_a_field(editor, rng):
+    field = editor.fields[rng.choice(NAMES)]
+    field.setFocus()
+    for _ in range(rng.randrange(1, 4)):
+        QTest.keyClick(field, rng.choice(KEYS))
+
+
+def move_a_slider(editor, rng):
+    slider = editor.find(rng.choice(["row_knots.slider", "column_knots.slider"]))
+    QTest.keyClick(slider, rng.choice([Qt.Key.Key_Left, Qt.Key.Key_Right, Qt.Key.Key_Home, Qt.Key.Key_PageUp]))
+
+
+def press_a_button(editor, rng):
+    QTest.mouseClick(editor.find(rng.choice(BUTTONS), QAbstractButton), Qt.MouseButton.LeftButton)
+
+
+def run_a_command(editor, rng):
+    name = rng.choice(COMMANDS)
+    if name.startswith("preset"):
+        if rng.random() < 0.7:
+            return
+        editor.window.session.history.setClean()  # so that nothing is asked
+    editor.action(name).trigger()
+
+
+def choose_a_formulation(editor, rng):
+    QTest.keyClick(editor.find("surface.formulation", QComboBox), rng.choice([Qt.Key.Key_Up, Qt.Key.Key_Down]))
+
+
+def type_samples(editor, rng):
+    field = editor.field(rng.choice(["surface.samples_u", "surface.samples_v"]))
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, rng.choice(["2", "3", "41", "1", "5000", "x"]))
+    QTest.keyClick(field, Qt.Key.Key_Return)
+
+
+ACTS = [
+    *(type_into_a_field,) * 3,
+    press_keys_in_a_field,
+    move_a_slider,
+    press_a_button,
+    run_a_command,
+    choose_a_formulation,
+    type_samples,
+]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [1, 2])
+def test_random_actions(make_editor, seed):
+    rng = random.Random(seed)
+    editor = make_editor(size=(900, 560))
+    editor.fields = {name: editor.field(name) for name in NAMES}
+    for number in range(ACTIONS):
+        rng.choice(ACTS)(editor, rng)
+        if number % CHECK_EVERY == 0:
+            editor.settle()
+            assert editor.disagreements() == [], number
+            check_marks(editor)
+    while editor.action("undo").isEnabled():
+        editor.trigger("undo")
+    assert not editor.window.session.history.canUndo()
+    assert editor.disagreements() == []
+    assert QApplication.activeModalWidget() is None
+
+
+def check_marks(editor):
+    state = editor.window.controller.state
+    assert editor.find("surface.export").isEnabled() == (not state.is_stale)
+    assert editor.find("surface.formulation", QComboBox).currentText() == str(editor.document.formulation)
+    if editor.action("live").isChecked() and state.result is not None:
+        assert state.draft == editor.document

@@ -1,0 +1,141 @@
+"""What a crash leaves: whole files, and the last document that was set."""
+
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtTest import QTest
+
+from qovr_core.files import read_document, write_document
+from qovr_core.files.qovr_document import document_from_json
+from qovr_core.presets import preset
+
+TESTS = Path(__file__).resolve().parents[2]
+KILLS = 8
+
+
+def start_victim(home, seed):
+    environment = {**os.environ, "PYTHONPATH": str(TESTS)}
+    command = [sys.executable, "-m", "support.victim", str(home), str(seed)]
+    return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
+
+
+def crash(editor, home):
+    """Leave a window as a dead process would: with its recovery file and no living owner."""
+    QTest.qWait(400)
+    keeper = editor.window._keeper
+    keeper._writer.shutdown(wait=True)
+    keeper._store._lock.unlock()
+    editor.window._keeper = None
+    keeper.deleteLater()
+    editor.settle()
+
+
+def recovery_files():
+    from qovr_app.recovery import recovery_folder
+
+    return sorted(path.name.split(".", 1)[1] for path in recovery_folder().glob("*"))
+
+
+def test_nothing_is_offered_after_a_regular_end(make_editor):
+    first = make_editor()
+    first.type_into("row_knots.C_0.r", "0.3")
+    QTest.qWait(400)
+    assert recovery_files() == ["lock", "unsaved.json"]
+    first.discard()
+    assert recovery_files() == []
+    assert not make_editor().find("recovery").isVisible()
+
+
+def test_a_crashed_document_is_offered_and_restored(make_editor, home):
+    first = make_editor()
+    first.type_into("control_points.P_2_2.z", repr(1 / 3))
+    crash(first, home)
+    second = make_editor()
+    assert "Unsaved changes to fig5" in second.find("recovery.text").text()
+    assert second.document == preset("fig5").document
+    second.click("recovery.restore")
+    assert second.document == first.document
+    assert second.window.isWindowModified()
+    assert second.disagreements() == []
+    assert not second.find("recovery").isVisible()
+    QTest.qWait(400)
+    crash(second, home)
+    third = make_editor()
+    third.click("recovery.discard")
+    assert not third.find("recovery").isVisible()
+    assert not make_editor().find("recovery").isVisible()
+
+
+def test_a_living_window_keeps_its_own(make_editor):
+    first = make_editor()
+    first.type_into("row_knots.C_0.r", "0.3")
+    QTest.qWait(400)
+    second = make_editor()
+    assert not second.find("recovery").isVisible()
+    second.type_into("row_knots.C_0.r", "0.7")
+    QTest.qWait(400)
+    assert recovery_files() == ["lock", "lock", "unsaved.json", "unsaved.json"]
+
+
+def test_an_offer_that_was_not_answered_is_made_again(make_editor, home):
+    first = make_editor()
+    first.type_into("row_knots.C_0.r", "0.3")
+    crash(first, home)
+    make_editor().discard()
+    assert make_editor().find("recovery").isVisible()
+
+
+def test_damaged_recovery_files_are_no_offer(make_editor, home):
+    from qovr_app.recovery import recovery_folder
+
+    recovery_folder().mkdir(parents=True)
+    for number, text in enumerate(("", "[]", "{}", '{"title": "a", "path": 7, "document": {}}', "\x00")):
+        (recovery_folder() / f"{number}.unsaved.json").write_text(text)
+    assert not make_editor().find("recovery").isVisible()
+
+
+@pytest.mark.slow
+def test_a_kill_at_any_moment_loses_nothing(make_editor, home):
+    random.seed(1)
+    write_document(preset("fig5").document, home / "kept.qovr")
+    for seed in range(KILLS):
+        victim = start_victim(home, seed)
+        assert victim.stdout.readline() == "ready\n"
+        time.sleep(random.uniform(0.1, 1.5))
+        victim.send_signal(signal.SIGKILL)
+        lines = [line for line in victim.stdout.read().splitlines() if line.startswith("set ") and line.endswith("} ")]
+        victim.wait()
+        victim.stdout.close()
+        documents = [document_from_json(line.removeprefix("set ")) for line in lines]
+        saved = read_document(home / "kept.qovr")
+        check_exports(home)
+        editor = make_editor(str(home / "kept.qovr"))
+        if editor.find("recovery").isVisible():
+            editor.click("recovery.restore")
+        # One edit may have been set and not yet reported when the kill came, or just not have had its turn.
+        assert not documents or editor.document in documents[-2:] or editor.document not in [saved, *documents]
+        assert editor.disagreements() == []
+        editor.discard()
+        while (other := make_editor()).find("recovery").isVisible():
+            other.click("recovery.discard")
+        other.discard()
+
+
+def check_exports(home):
+    for path in home.iterdir():
+        if path.suffix == ".xlsx":
+            with zipfile.ZipFile(path) as book:
+                assert book.testzip() is None
+        elif path.suffix == ".npz":
+            with np.load(path) as arrays:
+                assert arrays["raw"].shape == (101, 101, 3)
+        elif path.suffix == ".csv":
+            assert len(path.read_text().splitlines()) == 101 * 101 + 1

@@ -1,0 +1,150 @@
+"""The editor's window as a user meets it: things are found by their names and moved by real events."""
+
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QAction
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDialog, QLabel, QLineEdit, QWidget
+
+from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, value_at
+
+ROW_FIELDS = [KnotPlace(Direction.ROWS, k, name) for k in range(5) for name in "rsut"]
+COLUMN_FIELDS = [KnotPlace(Direction.COLUMNS, k, name) for k in range(5) for name in "rsut"]
+POINT_FIELDS = [CoordinatePlace(i, j, axis) for i in range(5) for j in range(5) for axis in range(3)]
+
+
+def name_of(place):
+    """Return the promised object name, written here apart from the program's own."""
+    if isinstance(place, CoordinatePlace):
+        return f"control_points.P_{place.i}_{place.j}.{'xyz'[place.axis]}"
+    if place.direction is Direction.ROWS:
+        return f"row_knots.C_{place.curve}.{place.name}"
+    return f"column_knots.K_{place.curve}.{place.name.replace('u', 'v')}"
+
+
+def wait_until(happened, seconds=30.0):
+    """Let the event loop run until something is true."""
+    for _ in range(int(seconds * 100)):
+        if happened():
+            return
+        QTest.qWait(10)
+    raise AssertionError("it did not happen in time")
+
+
+class Editor:
+    def __init__(self, window, size):
+        self.window = window
+        self.is_discarded = False
+        window.resize(*size)
+        window.show()
+        window.activateWindow()
+        QTest.qWaitForWindowExposed(window)
+        self.settle()
+
+    @property
+    def document(self):
+        return self.window.session.document
+
+    def settle(self):
+        for _ in range(3):
+            QApplication.processEvents()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+
+    def find(self, name, kind=QWidget):
+        (found,) = self.window.findChildren(kind, name)
+        return found
+
+    def field(self, name):
+        return self.find(name, QLineEdit)
+
+    def text(self, name):
+        return self.field(name).text()
+
+    def message(self):
+        return self.find("message", QLabel).text()
+
+    def action(self, name):
+        return self.find(name, QAction)
+
+    def trigger(self, name):
+        self.action(name).trigger()
+        self.settle()
+
+    def click(self, name):
+        QTest.mouseClick(self.find(name, QAbstractButton), Qt.MouseButton.LeftButton)
+        self.settle()
+
+    def type_into(self, name, text, end=Qt.Key.Key_Tab):
+        field = self.field(name)
+        QTest.mouseClick(field, Qt.MouseButton.LeftButton)
+        field.selectAll()
+        QTest.keyClicks(field, text)
+        if end is not None:
+            QTest.keyClick(field, end)
+        self.settle()
+
+    def key(self, key, modifiers=Qt.KeyboardModifier.NoModifier, widget=None):
+        QTest.keyClick(widget or QApplication.focusWidget() or self.window, key, modifiers)
+        self.settle()
+
+    def choose(self, name, text):
+        box = self.find(name, QComboBox)
+        box.setFocus()
+        QTest.keyClicks(box, text[0])
+        self.settle()
+        assert box.currentText() == text
+
+    def dialog(self, name):
+        wait_until(lambda: self.window.findChild(QDialog, name) is not None)
+        return self.find(name, QDialog)
+
+    def move_slider(self, name, steps):
+        slider = self.find(name)
+        slider.setFocus()
+        for _ in range(abs(steps)):
+            QTest.keyClick(slider, Qt.Key.Key_Right if steps > 0 else Qt.Key.Key_Left)
+        self.settle()
+
+    def drag_slider(self, name, moves):
+        """Drag the slider's handle by these distances in pixels, one after the other."""
+        slider = self.find(name)
+        start = QPoint(round(slider.width() * slider.value() / (slider.maximum() + 1)), slider.height() // 2)
+        QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
+        at = start
+        for move in moves:
+            at += QPoint(move, 0)
+            QTest.mouseMove(slider, at)
+            self.settle()
+        QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=at)
+        self.settle()
+
+    def export_to(self, path):
+        """Export through the dialog, the file's name typed."""
+        self.click("surface.export")
+        dialog = self.dialog("export")
+        field = dialog.findChild(QLineEdit, "export.path")
+        field.setFocus()
+        field.selectAll()
+        QTest.keyClicks(field, str(path))
+        QTest.mouseClick(dialog.findChild(QAbstractButton, "export.start"), Qt.MouseButton.LeftButton)
+        wait_until(lambda: self.window.findChild(QDialog, "export") is None, 60)
+        self.settle()
+
+    def disagreements(self):
+        """Return the fields that show something else than the document and do not look so."""
+        wrong = []
+        for place in (*ROW_FIELDS, *COLUMN_FIELDS, *POINT_FIELDS):
+            field = self.field(name_of(place))
+            is_same = not field.has_own_text and float(field.text()) == value_at(self.document, place)
+            if is_same == field.is_pending:
+                wrong.append((name_of(place), field.text(), value_at(self.document, place)))
+        return wrong
+
+    def discard(self):
+        if self.is_discarded:
+            return
+        self.is_discarded = True
+        self.window.session.history.setClean()
+        self.window.close()
+        self.window.deleteLater()
+        QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+        QApplication.processEvents()
