@@ -36,32 +36,32 @@ def share_of_colours(image):
 
 
 def test_a_screenshot_shows_the_window_with_its_surface(on_display, tmp_path):
-    run = on_display("screenshot", "a.png", "paper:fig8", "--size", "1000x700")
+    run = on_display("screenshot", "a.png", "paper:fig8", "--size", "1300x760")
     assert (run.returncode, run.stdout, run.stderr) == (0, "", "")
     image = pixels(tmp_path / "a.png")
-    assert image.shape == (700, 1000, 3)
+    assert image.shape == (760, 1300, 3)
     assert share_of_colours(image) > 0.05
     assert np.median(image) > 200
 
 
 def test_a_dark_screenshot_from_above_at_scale_2(on_display, tmp_path):
-    call = ("screenshot", "a.png", "--size", "900x600", "--scale", "2", "--theme", "dark", "--camera", "top")
+    call = ("screenshot", "a.png", "--size", "1280x720", "--scale", "2", "--theme", "dark", "--camera", "top")
     assert on_display(*call).returncode == 0
     image = pixels(tmp_path / "a.png")
-    assert image.shape == (1200, 1800, 3)
+    assert image.shape == (1440, 2560, 3)
     assert np.median(image) < 80
     assert share_of_colours(image) > 0.05
 
 
 def test_two_documents_make_two_pictures(on_display, tmp_path):
     for name in ("fig5", "fig8"):
-        assert on_display("screenshot", f"{name}.png", f"paper:{name}", "--size", "800x600").returncode == 0
+        assert on_display("screenshot", f"{name}.png", f"paper:{name}", "--size", "1280x720").returncode == 0
     difference = np.abs(pixels(tmp_path / "fig5.png") - pixels(tmp_path / "fig8.png")).max(axis=-1)
     assert (difference > 60).mean() > 0.02
 
 
 def test_without_opengl_the_screenshot_still_shows_the_surface(on_display, tmp_path):
-    assert on_display("screenshot", "a.png", "--size", "900x600", QT_QPA_PLATFORM="offscreen").returncode == 0
+    assert on_display("screenshot", "a.png", "--size", "1280x720", QT_QPA_PLATFORM="offscreen").returncode == 0
     assert share_of_colours(pixels(tmp_path / "a.png")) > 0.05
 
 
@@ -70,6 +70,7 @@ def test_without_opengl_the_screenshot_still_shows_the_surface(on_display, tmp_p
     [
         (("screenshot", "a.jpg"), "a.jpg: a screenshot is a PNG"),
         (("screenshot", "a.png", "--size", "10"), "'10' is no size; expected WIDTHxHEIGHT"),
+        (("screenshot", "a.png", "--size", "400x300"), "400 x 300 is too small for the window; expected at least"),
         (("screenshot", "a.png", "--scale", "9"), "'9' is no scale factor; expected a number from 1 to 4"),
         (("screenshot", "a.png", "paper:fig9"), "there is no preset 'fig9'"),
         (("screenshot", "no/such/a.png"), "the folder no/such does not exist"),
