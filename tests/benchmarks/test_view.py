@@ -22,6 +22,7 @@ STOCK_EDITS = {101: 15, 401: 5, 1001: 2}
 EDITS = 60
 MANY_EDITS = 20_000
 GROWTH_FROM = 1_000
+OPENINGS = 200
 
 
 class Bench:
@@ -199,12 +200,21 @@ def resident_megabytes():
         return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
 
 
-def test_memory_over_many_edits(bench, row):
+def test_memory_over_many_edits_and_openings(bench, row):
+    from OpenGL.GL import GL_NO_ERROR, glGetError
+
     for k in range(GROWTH_FROM):
         bench.frame(bench.edit, k)
     gc.collect()
-    before = resident_megabytes()
+    before, references = resident_megabytes(), sys.getrefcount(None)
     for k in range(GROWTH_FROM, MANY_EDITS):
         bench.frame(bench.edit, k)
+    for k in range(OPENINGS):
+        bench.frame(lambda k: bench.session.open(f"paper:{('fig6b', 'fig8')[k % 2]}"), k)
     gc.collect()
-    row("growth over 20,000 edits, MB", "101 x 101", resident_megabytes() - before, at_most=10)
+    assert sys.getrefcount(None) >= references  # a reference lost at every edit would end the process in time
+    viewport = bench.view.viewports[0]
+    viewport.makeCurrent()
+    assert glGetError() == GL_NO_ERROR
+    viewport.doneCurrent()
+    row("growth over 20,000 edits and 200 openings, MB", "101 x 101", resident_megabytes() - before, at_most=10)
