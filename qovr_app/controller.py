@@ -49,7 +49,7 @@ class Controller(QObject):
     -------
     result_changed : an AlignedPatch to show; a stale one comes with the net as it is now
     state_changed : a State
-    refused : one sentence that says why something was not done
+    refused : one sentence that says why something was not done; empty when that is outdated
     """
 
     result_changed = Signal(object)

@@ -104,7 +104,8 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.workspace, 1)
         self.setCentralWidget(middle)
         menus = fill_menu_bar(self.menuBar(), self._table, self.commands)
-        menus["File"].insertMenu(self.commands["preset_fig5"], RecentMenu(self.desk, self))
+        presets = menus["File/Presets of the paper"].menuAction()
+        menus["File"].insertMenu(presets, RecentMenu(self.desk, self))
         self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)
         self._show_location()
@@ -118,12 +119,13 @@ class MainWindow(QMainWindow):
         self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.opened.connect(self._on_opened)
         self.session.opened.connect(space.drop_text)
+        self.session.document_changed.connect(self._message.outdate)
         self.session.location_changed.connect(self._show_location)
-        history.cleanChanged.connect(lambda _clean: self._show_location())
+        history.cleanChanged.connect(self._show_location)
         history.canUndoChanged.connect(self.commands["undo"].setEnabled)
         history.canRedoChanged.connect(self.commands["redo"].setEnabled)
-        history.undoTextChanged.connect(lambda text: self._name("undo", "&Undo", text))
-        history.redoTextChanged.connect(lambda text: self._name("redo", "&Redo", text))
+        history.undoTextChanged.connect(self._on_undo_text_changed)
+        history.redoTextChanged.connect(self._on_redo_text_changed)
         self.controller.result_changed.connect(self._on_result_changed)
         self.controller.state_changed.connect(self._on_state_changed)
         self.controller.refused.connect(lambda text: self.tell(text, refused=True))
@@ -149,9 +151,7 @@ class MainWindow(QMainWindow):
         if index is None:
             self._message.clear()
             return
-        i, j = index
-        x, y, z = self.session.document.control_points[i, j]
-        self.tell(f"P {i},{j} = ({x:.6g}, {y:.6g}, {z:.6g}).  {_DRAG_HINT}")
+        self.tell("P {},{}.  {}".format(*index, _DRAG_HINT))
 
     def _on_point_focused(self, i: int, j: int) -> None:
         self.workspace.points.mark_point((i, j))
@@ -184,8 +184,15 @@ class MainWindow(QMainWindow):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.ApplicationPaletteChange and self._settings.theme is not theme():
+        is_built = self.centralWidget() is not None
+        if event.type() == QEvent.Type.PaletteChange and is_built and self._settings.theme is not theme():
             self._set_settings(replace(self._settings, theme=theme()))
+
+    def _on_undo_text_changed(self, text: str) -> None:
+        self._name("undo", "&Undo", text)
+
+    def _on_redo_text_changed(self, text: str) -> None:
+        self._name("redo", "&Redo", text)
 
     def _name(self, command: str, verb: str, text: str) -> None:
         self.commands[command].setText(f"{verb} {text}".strip())

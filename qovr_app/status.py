@@ -11,6 +11,8 @@ from qovr_app.panels.look import look
 _REPORT_MILLISECONDS = 12_000
 """After this long a report has been read; a refusal stays until something else is said."""
 
+_INDENT = 8
+
 
 class MessageLine(QLabel):
     """A label in the status bar, where the status tips of menus do not wipe it out for good."""
@@ -20,12 +22,20 @@ class MessageLine(QLabel):
         self.setObjectName("message")
         self.setAccessibleName("Message")
         self.setMinimumWidth(1)
+        self.setIndent(_INDENT)
         self.setTextFormat(Qt.TextFormat.PlainText)
+        self._is_refusal = False
         self._end = QTimer(self, singleShot=True, interval=_REPORT_MILLISECONDS)
         self._end.timeout.connect(self.clear)
 
+    def outdate(self) -> None:
+        """Take a refusal away: the document has changed since."""
+        if self._is_refusal:
+            self.clear()
+
     def say(self, text: str, *, is_refusal: bool) -> None:
         """Show a sentence; it is announced to who cannot see it."""
+        self._is_refusal = is_refusal
         palette = QPalette()
         if is_refusal:
             palette.setColor(QPalette.ColorRole.WindowText, look().bad)

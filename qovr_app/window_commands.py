@@ -25,7 +25,7 @@ def help_commands(window: MainWindow) -> list[Command]:
 
 
 def go_commands(window: MainWindow) -> list[Command]:
-    """Return the commands that bring the keyboard to a part of the window."""
+    """Return the commands that bring the zones, and the keyboard to a part of the window."""
     space = window.workspace
     places = (
         ("row_knots", "&Row-wise knots", space.rows.focus_first),
@@ -34,7 +34,16 @@ def go_commands(window: MainWindow) -> list[Command]:
         ("surface", "&Surface", space.surface.focus_first),
         ("view", "3D &view", window.focus_view),
     )
-    return [
+    panels = Command(
+        "show_panels",
+        "&Zones",
+        space.show_panels,
+        "&View/&Show",
+        "F9",
+        checked=True,
+        tip="The zones of fields beside the view",
+    )
+    return [panels] + [
         Command(f"go_{name}", text, go, "&View/&Go to", f"Alt+{number}")
         for number, (name, text, go) in enumerate(places, start=1)
     ]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QByteArray, Qt
-from PySide6.QtWidgets import QApplication, QSizePolicy, QSplitter, QToolBar, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QApplication, QSizePolicy, QToolBar, QVBoxLayout, QWidget
 
 from qovr_app.controller import Controller, State
 from qovr_app.panels.knots_zone import KnotsZone
 from qovr_app.panels.points_zone import PointsZone
+from qovr_app.panels.splitter import LineSplitter
 from qovr_app.panels.surface_zone import SurfaceZone
 from qovr_app.panels.zone import FieldZone
 from qovr_app.view_place import ViewPlace
@@ -18,23 +19,19 @@ _LEFT, _MIDDLE = 264, 364
 
 _LOWER = 260
 
-_HANDLES = "QSplitter::handle { background: palette(mid); }"
 
-
-class Workspace(QSplitter):
+class Workspace(LineSplitter):
     """Zones and view in splitters. It hands states to the zones and the zones' intents to the controller."""
 
     def __init__(self, controller: Controller, parent: QWidget | None = None) -> None:
-        super().__init__(Qt.Orientation.Horizontal, parent)
-        self.setObjectName("workspace")
-        self.setStyleSheet(_HANDLES)
+        super().__init__("workspace", Qt.Orientation.Horizontal, parent)
         self.rows = KnotsZone(Direction.ROWS, self)
         self.columns = KnotsZone(Direction.COLUMNS, self)
         self.points = PointsZone(self)
         self.surface = SurfaceZone(self)
         self.place = ViewPlace(self)
         self.field_zones: tuple[FieldZone, ...] = (self.rows, self.columns, self.points)
-        self._splitters = {"workspace": self}
+        self._splitters: dict[str, LineSplitter] = {"workspace": self}
         self._panels = QWidget(self)
         self._view_side = QWidget(self)
         self._arrange()
@@ -90,21 +87,18 @@ class Workspace(QSplitter):
             layout.addWidget(content, 1)
         self.addWidget(self._panels)
         self.addWidget(self._view_side)
-        self.setHandleWidth(1)
         self.setCollapsible(1, False)
         self.setStretchFactor(1, 1)
         self.setSizes([_LEFT + _MIDDLE, 10 * _MIDDLE])
 
-    def _column(self, name: str, upper: QWidget, lower: QWidget) -> QSplitter:
+    def _column(self, name: str, upper: QWidget, lower: QWidget) -> LineSplitter:
         column = self._splitter(name, Qt.Orientation.Vertical, upper, lower)
         column.setSizes([self.points.sizeHint().height(), _LOWER])
         column.setStretchFactor(1, 1)
         return column
 
-    def _splitter(self, name: str, orientation: Qt.Orientation, *parts: QWidget) -> QSplitter:
-        splitter = QSplitter(orientation, self)
-        splitter.setObjectName(f"splitter.{name}")
-        splitter.setHandleWidth(1)
+    def _splitter(self, name: str, orientation: Qt.Orientation, *parts: QWidget) -> LineSplitter:
+        splitter = LineSplitter(f"splitter.{name}", orientation, self)
         for part in parts:
             splitter.addWidget(part)
         self._splitters[name] = splitter

@@ -6,7 +6,7 @@ import os
 from math import prod
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QDialog,
@@ -24,12 +24,15 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.export_job import ExportJob
 from qovr_core import Document
 from qovr_core.files import FORMATS, Format
 
 _PROGRESS_PARTS = 1000
-_WIDTH = 680
+_WIDTH = 760
+_ROW_BEYOND_TEXT = 10
+_COLUMN_GAP = 16
 _FIRST_FORMAT = ".xlsx"
 
 
@@ -104,10 +107,12 @@ class ExportDialog(QDialog):
             item = QTreeWidgetItem([entry.name, entry.suffix, entry.keeps])
             item.setData(0, Qt.ItemDataRole.UserRole, entry.suffix)
             item.setToolTip(2, entry.keeps)
+            item.setSizeHint(0, QSize(0, tree.fontMetrics().height() + _ROW_BEYOND_TEXT))
             tree.addTopLevelItem(item)
         for column in range(2):
-            tree.header().setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
-        tree.header().setStretchLastSection(True)
+            tree.resizeColumnToContents(column)
+            tree.setColumnWidth(column, tree.columnWidth(column) + _COLUMN_GAP)
+        tree.header().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
         return tree
 
     def _arrange(self) -> None:
@@ -122,7 +127,7 @@ class ExportDialog(QDialog):
         layout.addLayout(grid)
         layout.addWidget(self._note)
         layout.addWidget(self._bar)
-        layout.addWidget(self._buttons)
+        layout.addWidget(without_icons(self._buttons))
         self.resize(_WIDTH, self.sizeHint().height())
 
     def _connect(self) -> None:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from qovr_app.dialogs.buttons import without_icons
 from qovr_app.view3d.figure import SUFFIXES, FigureOptions
 
 _FIRST = FigureOptions()
@@ -51,7 +52,7 @@ class FigureDialog(QDialog):
         form.addRow("&Resolution (dpi)", self._dpi)
         form.addRow(self._transparent)
         form.addRow(self._note)
-        form.addRow(buttons)
+        form.addRow(without_icons(buttons))
         self._unit.currentTextChanged.connect(self._change_unit)
         for changed in (self._width.valueChanged, self._height.valueChanged, self._dpi.valueChanged):
             changed.connect(self._show_size)

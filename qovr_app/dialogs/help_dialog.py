@@ -7,6 +7,8 @@ from importlib.resources import files
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
+from qovr_app.dialogs.buttons import without_icons
+
 _SIZE = QSize(720, 640)
 _MARGIN = 16
 
@@ -22,7 +24,7 @@ class HelpDialog(QDialog):
         text.setOpenExternalLinks(True)
         text.setFrameShape(QTextBrowser.Shape.NoFrame)
         text.document().setDocumentMargin(_MARGIN)
-        text.setMarkdown(files("qovr_resources").joinpath("help", "help.md").read_text(encoding="utf-8"))
+        text.setHtml(files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8"))
         text.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextBrowserInteraction | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
@@ -31,5 +33,5 @@ class HelpDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, _MARGIN // 2)
         layout.addWidget(text)
-        layout.addWidget(buttons)
+        layout.addWidget(without_icons(buttons))
         self.resize(_SIZE)

@@ -43,7 +43,7 @@ class NumberField(QLineEdit):
     Signals
     -------
     value_edited : a valid number and its gesture, 0 for none
-    refused : why the text is no number for this field
+    refused : why the text is no number for this field; empty when a refusal no longer holds
     text_owned : whether the field has text of its own has changed
     focused : the field has the keyboard now
     block_pasted : a spreadsheet's text of several cells
@@ -166,12 +166,15 @@ class NumberField(QLineEdit):
             self.update()
 
     def _put(self, value: float) -> None:
+        had_error = bool(self._error)
         self._value, self._shown, self._error = value, number_text(value), ""
         self.setText(self._shown)
         self.setModified(False)
         if not self.hasFocus():
             self.setCursorPosition(0)
         self._refresh()
+        if had_error:
+            self.refused.emit("")
 
     def _refresh(self) -> None:
         parts = [self._error, self._warning, self._tip]
@@ -182,7 +185,9 @@ class NumberField(QLineEdit):
         self.update()
 
     def _on_text_changed(self) -> None:
-        self._error = ""
+        if self._error:
+            self._error = ""
+            self.refused.emit("")
         self._refresh()
         self.text_owned.emit()
 

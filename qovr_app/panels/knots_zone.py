@@ -158,16 +158,18 @@ class KnotsZone(FieldZone):
             )
         folding = [k for k, knots in enumerate(curves) if k in active and not knots.is_monotone]
         if folding:
-            names = ", ".join(symbol_html(CURVE_LETTERS[self._direction], str(k)) for k in folding)
-            low, high = monotone_range(curves[folding[0]].u)
-            s = symbol_html("s", "ip")
-            keep = (
-                f": {s} from {low:.3g} to {high:.3g} keeps it from that."
-                if len(folding) == 1 or (len({curves[k].u for k in folding}) == 1)
-                else "."
-            )
-            notes.append(f"{names} {'folds' if len(folding) == 1 else 'fold'} back on the way{keep}")
+            notes.append(self._folding_note([curves[k] for k in folding], folding))
         return notes
+
+    def _folding_note(self, folding: list[Knots], numbers: list[int]) -> str:
+        letter, s = CURVE_LETTERS[self._direction], symbol_html("s", "ip")
+        shown = [symbol_html(letter, str(number)) for number in numbers]
+        names = f"{shown[0]}..{shown[-1]}" if len(shown) == NET_SIZE else ", ".join(shown)
+        verb = "folds" if len(shown) == 1 else "fold"
+        if len({knots.u for knots in folding}) > 1:
+            return f"{names} {verb} back: {s} is too far from {symbol_html(PARAMETERS[self._direction], 'ip')}."
+        low, high = monotone_range(folding[0].u)
+        return f"{names} {verb} back: {s} lies outside {low:.3g} to {high:.3g}."
 
 
 def monotone_range(u: float) -> tuple[float, float]:

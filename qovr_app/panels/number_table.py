@@ -3,16 +3,29 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPalette
-from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QFrame,
+    QHeaderView,
+    QLabel,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
 
 from qovr_app.panels.look import number_font, see_through
 from qovr_app.panels.numbers import block_text, number_text
 from qovr_core.arrays import Array
 
-_SHOWN_DIGITS = 6
+_MOST_DIGITS = 6
+_FEWEST_DIGITS = 3
 _ROW_BEYOND_TEXT = 4
+_ITEM_PADDING = 8
+_ROW_HEADER_WIDTH = 36
 _PLAIN_HEADERS = """
 QHeaderView { background: transparent; }
 QHeaderView::section, QTableCornerButton::section { border: none; background: transparent; }
@@ -20,46 +33,67 @@ QHeaderView::section { color: palette(placeholder-text); }
 """
 
 
+class _FittingDelegate(QStyledItemDelegate):
+    """Writes a number with as many digits, up to six, as the column is wide."""
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> None:
+        super().initStyleOption(option, index)
+        value = index.data(Qt.ItemDataRole.UserRole)
+        room = option.rect.width() - _ITEM_PADDING
+        for digits in range(_MOST_DIGITS, _FEWEST_DIGITS - 1, -1):
+            option.text = f"{value:.{digits}g}"
+            if option.fontMetrics.horizontalAdvance(option.text) <= room:
+                return
+
+
 class NumberTable(QTableWidget):
     """Rows and columns of numbers, read only; what is copied has every digit.
 
     Parameters
     ----------
-    rows, columns : what the headers say; no row headers where ``rows`` is a number
+    corner : what stands above the row headers
+    rows, columns : what the headers say
     """
 
     def __init__(
-        self, name: str, spoken: str, rows: list[str] | int, columns: list[str] | int, parent: QWidget | None = None
+        self,
+        name: str,
+        spoken: str,
+        *,
+        corner: str,
+        rows: list[str],
+        columns: list[str],
+        parent: QWidget | None = None,
     ) -> None:
-        counts = [len(part) if isinstance(part, list) else part for part in (rows, columns)]
-        super().__init__(*counts, parent)
+        super().__init__(len(rows), len(columns), parent)
         self.setObjectName(name)
         self.setAccessibleName(spoken)
-        self._numbers = np.full(counts, np.nan)
+        self._numbers = np.full((len(rows), len(columns)), np.nan)
         self.setFont(number_font(self.font()))
         self.setPalette(see_through(self.palette()))
         self.setStyleSheet(_PLAIN_HEADERS)
+        self.setItemDelegate(_FittingDelegate(self))
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setShowGrid(False)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setTabKeyNavigation(False)
+        self.setCornerButtonEnabled(False)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._set_headers(rows, columns)
-        for r in range(counts[0]):
-            for c in range(counts[1]):
-                item = QTableWidgetItem()
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
-                self.setItem(r, c, item)
-        height = self._content_height()
-        self.setFixedHeight(height)
+        self._fill()
+        self._corner = QLabel(corner, self)
+        self._corner.setTextFormat(Qt.TextFormat.RichText)
+        self._corner.setGeometry(0, 0, _ROW_HEADER_WIDTH, self._row_height())
+        self.setFixedHeight(self._content_height())
 
     def show_numbers(self, numbers: Array) -> None:
         """Show an array of the table's shape."""
         for (r, c), value in np.ndenumerate(numbers):
             if value != self._numbers[r, c]:
                 item = self.item(r, c)
-                item.setText(f"{value:.{_SHOWN_DIGITS}g}")
+                item.setData(Qt.ItemDataRole.UserRole, float(value))
+                item.setText(f"{value:.{_MOST_DIGITS}g}")
                 item.setToolTip(number_text(value))
         self._numbers = np.array(numbers)
 
@@ -87,16 +121,22 @@ class NumberTable(QTableWidget):
         return QSize(160, self._content_height())
 
     def _content_height(self) -> int:
-        header = 0 if self.horizontalHeader().isHidden() else self._row_height()
-        return header + self.rowCount() * self._row_height()
+        return (self.rowCount() + 1) * self._row_height()
 
     def _row_height(self) -> int:
         return self.fontMetrics().height() + _ROW_BEYOND_TEXT
 
-    def _set_headers(self, rows: list[str] | int, columns: list[str] | int) -> None:
+    def _fill(self) -> None:
+        for r in range(self.rowCount()):
+            for c in range(self.columnCount()):
+                item = QTableWidgetItem()
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                item.setData(Qt.ItemDataRole.UserRole, float("nan"))
+                self.setItem(r, c, item)
+
+    def _set_headers(self, rows: list[str], columns: list[str]) -> None:
         across, down = self.horizontalHeader(), self.verticalHeader()
-        for header, titles in ((across, columns), (down, rows)):
-            header.setVisible(isinstance(titles, list))
+        for header in (across, down):
             header.setMinimumSectionSize(8)
             header.setSectionsClickable(False)
             header.setHighlightSections(False)
@@ -106,7 +146,6 @@ class NumberTable(QTableWidget):
         across.setFixedHeight(self._row_height())
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(self._row_height())
-        if isinstance(columns, list):
-            self.setHorizontalHeaderLabels(columns)
-        if isinstance(rows, list):
-            self.setVerticalHeaderLabels(rows)
+        down.setFixedWidth(_ROW_HEADER_WIDTH)
+        self.setHorizontalHeaderLabels(columns)
+        self.setVerticalHeaderLabels(rows)

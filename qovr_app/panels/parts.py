@@ -6,12 +6,16 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
+from qovr_app.appearance import theme
 from qovr_app.panels.look import SPACE, look
 
 _WHITE = QColor(255, 255, 255)
 _NIGHT = QColor(16, 20, 28)
 _PALE = 140
 """An accent lighter than this takes dark text."""
+
+_DEEPER = 125
+"""Fusion paints buttons lighter than their colour; white text needs the accent itself at least."""
 
 
 class CompactButton(QPushButton):
@@ -22,6 +26,7 @@ class CompactButton(QPushButton):
         self.setObjectName(name)
         self.setToolTip(tip)
         self._is_due = False
+        self._coloured_for = theme()
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.setAutoDefault(False)
 
@@ -33,15 +38,17 @@ class CompactButton(QPushButton):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.ThemeChange or event.type() == QEvent.Type.ApplicationPaletteChange:
+        if event.type() == QEvent.Type.PaletteChange and self._is_due and self._coloured_for is not theme():
             self._colour()
 
     def _colour(self) -> None:
         palette = QPalette()
+        self._coloured_for = theme()
         if self._is_due:
             accent = look().accent
-            palette.setColor(QPalette.ColorRole.Button, accent)
-            palette.setColor(QPalette.ColorRole.ButtonText, _NIGHT if accent.lightness() > _PALE else _WHITE)
+            is_pale = accent.lightness() > _PALE
+            palette.setColor(QPalette.ColorRole.Button, accent if is_pale else accent.darker(_DEEPER))
+            palette.setColor(QPalette.ColorRole.ButtonText, _NIGHT if is_pale else _WHITE)
         self.setPalette(palette)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QFrame, QGridLayout, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from qovr_app.panels.look import SPACE
 from qovr_app.panels.number_table import NumberTable
@@ -54,11 +54,15 @@ class SurfaceZone(QFrame):
         self._boxes = NumberTable(
             "surface.boxes",
             "Bounding boxes of the control points and of the raw surface",
-            ["x", "y", "z"],
-            ["P min", "P max", "raw min", "raw max"],
-            self,
+            corner="Box",
+            rows=["x", "y", "z"],
+            columns=["P min", "P max", "raw min", "raw max"],
+            parent=self,
         )
-        self._matrix = NumberTable("surface.matrix", "Transformation matrix T", ["x", "y", "z", "h"], 4, self)
+        axes = ["x", "y", "z", "h"]
+        self._matrix = NumberTable(
+            "surface.matrix", "Transformation matrix T", corner="<i>T</i>", rows=axes, columns=axes, parent=self
+        )
         self._fill_formulations()
         self._configure.clicked.connect(self.configure_requested)
         self._export.clicked.connect(self.export_requested)
@@ -113,7 +117,7 @@ class SurfaceZone(QFrame):
     def _samples_field(self, parameter: str) -> SamplesField:
         field = SamplesField(parameter, self)
         field.count_edited.connect(lambda _count: self.samples_edited.emit(tuple(f.count for f in self._samples)))
-        field.refused.connect(lambda reason: self.refused.emit(f"{reason}."))
+        field.refused.connect(lambda reason: self.refused.emit(reason and f"{reason}."))
         return field
 
     def _fill_formulations(self) -> None:
@@ -155,15 +159,12 @@ class SurfaceZone(QFrame):
     def _numbers(self) -> QScrollArea:
         """Return boxes and T, which scroll where the window is low."""
         inside = QWidget(self)
-        grid = QGridLayout(inside)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(SPACE)
-        grid.addWidget(symbol("Boxes", quiet=True, parent=inside), 0, 0, Qt.AlignmentFlag.AlignTop)
-        grid.addWidget(self._boxes, 0, 1)
-        grid.addWidget(symbol("<i>T</i>", quiet=True, parent=inside), 1, 0, Qt.AlignmentFlag.AlignTop)
-        grid.addWidget(self._matrix, 1, 1)
-        grid.setColumnStretch(1, 1)
-        grid.setRowStretch(2, 1)
+        tables = QVBoxLayout(inside)
+        tables.setContentsMargins(0, 0, 0, 0)
+        tables.setSpacing(SPACE)
+        tables.addWidget(self._boxes)
+        tables.addWidget(self._matrix)
+        tables.addStretch(1)
         area = QScrollArea(self)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)

@@ -26,7 +26,7 @@ class FieldZone(QFrame):
     values_pasted : a dict of places and values
     set_requested : a dict of the values typed and not yet reported, all of them valid
     get_requested : the fields have dropped their own text
-    refused : one sentence that says what was not done, and why
+    refused : one sentence that says what was not done, and why; empty when that is outdated
     """
 
     values_edited = Signal(object, int)
@@ -123,7 +123,7 @@ class FieldZone(QFrame):
         field.setObjectName(object_name(place))
         field.setAccessibleName(spoken(place))
         field.value_edited.connect(lambda value, gesture: self.values_edited.emit({place: value}, gesture))
-        field.refused.connect(lambda reason: self.refused.emit(f"{reason}."))
+        field.refused.connect(lambda reason: self.refused.emit(reason and f"{reason}."))
         field.focused.connect(lambda: self._on_focused(place))
         field.text_owned.connect(self._count_pending)
         field.block_pasted.connect(self.paste_block)

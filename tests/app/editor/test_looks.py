@@ -1,0 +1,115 @@
+"""What the eye relies on: themes that change while the window is open, sizes, marks, numbers that fit."""
+
+import numpy as np
+import pytest
+from PySide6.QtGui import QColor
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QLabel
+
+from qovr_app.appearance import set_theme, theme
+from qovr_app.panels.look import look
+from qovr_app.panels.numbers import fitted_text, number_text, typed_block, typed_number
+from qovr_app.view3d.settings import ThemeName
+from qovr_core import DocumentError
+from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
+
+
+@pytest.fixture
+def themes():
+    yield
+    set_theme(ThemeName.LIGHT)
+
+
+def cell_colour(editor, name):
+    field = editor.field(name)
+    return QColor(field.grab().toImage().pixel(field.width() // 3, field.height() // 2))
+
+
+def test_an_open_window_follows_light_and_dark(editor, themes):
+    editor.trigger("live")
+    editor.type_into("row_knots.C_4.r", "0.3")
+    for name in (ThemeName.DARK, ThemeName.LIGHT):
+        set_theme(name)
+        editor.settle()
+        assert theme() is name
+        assert editor.window.view.settings.theme is name
+        assert cell_colour(editor, "row_knots.C_4.r") == look().accent_cell
+        assert cell_colour(editor, "row_knots.C_4.t") == look().cell
+        due = editor.find("row_knots.set", QAbstractButton).palette().button().color()
+        assert due in (look().accent, look().accent.darker(125))
+
+
+def test_states_look_like_what_they_are(editor):
+    editor.trigger("live")
+    editor.type_into("column_knots.K_1.s", "0.95")
+    editor.type_into("control_points.P_0_0.z", "1")
+    editor.type_into("control_points.P_0_1.z", "x")
+    editor.field("row_knots.C_4.r").setFocus()
+    editor.settle()
+    assert cell_colour(editor, "control_points.P_0_0.z") == look().accent_cell
+    assert cell_colour(editor, "control_points.P_0_1.z") == look().bad_cell
+    assert cell_colour(editor, "control_points.P_0_2.z") == look().cell
+    editor.click("column_knots.set")
+    editor.field("row_knots.C_4.r").setFocus()
+    assert cell_colour(editor, "column_knots.K_1.s") == look().warn_cell
+    assert editor.find("control_points.set").isEnabled()
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1440, 900), (2560, 1440)])
+def test_everything_fits_its_place(make_editor, size):
+    editor = make_editor("paper:fig6c", size)
+    window = editor.window
+    names = [name_of(place) for place in (*ROW_FIELDS, *COLUMN_FIELDS, *POINT_FIELDS)]
+    names += [f"surface.{part}" for part in ("configure", "export", "figure", "formulation", "boxes", "matrix")]
+    for name in names:
+        widget = editor.find(name)
+        area = widget.parentWidget().rect()
+        assert area.contains(widget.geometry()), name
+        assert widget.width() >= widget.minimumSizeHint().width(), name
+        assert not widget.visibleRegion().isEmpty(), name
+        assert widget.visibleRegion().boundingRect() == widget.rect(), name
+    for label in window.workspace.findChildren(QLabel):
+        if label.isVisible() and not label.wordWrap():
+            assert label.width() >= label.minimumSizeHint().width(), label.text()
+    assert window.view.width() >= 0.45 * size[0]
+
+
+def test_the_zones_can_be_put_away(editor):
+    editor.trigger("show_panels")
+    assert not editor.field("row_knots.C_4.r").isVisible()
+    editor.trigger("show_panels")
+    assert editor.field("row_knots.C_4.r").isVisible()
+
+
+def test_a_point_selected_in_the_view_is_framed_and_its_field_selects_it(editor):
+    editor.field("control_points.P_3_1.y").setFocus()
+    editor.settle()
+    assert editor.window.view.picture().selected == (3, 1)
+    editor.window.view.point_selected.emit((2, 2))
+    QTest.qWait(10)
+    assert editor.field("control_points.P_2_2.x")._is_marked
+    assert not editor.field("control_points.P_3_1.x")._is_marked
+    assert "P 2,2" in editor.message()
+
+
+@pytest.mark.parametrize("value", [0.5, -0.1, 1e12, 1 / 3, 1e-7, 123456.789, -2.5e-12, 1e300, 5e-324])
+def test_number_text_reads_back_and_fitted_text_keeps_sign_and_magnitude(value):
+    assert float(number_text(value)) == value
+    assert typed_number(number_text(value)) == value
+    for room in range(8, 24):
+        text = fitted_text(value, lambda wanted, room=room: len(wanted) <= room)
+        shown = float(text.replace("…", ""))
+        assert shown == pytest.approx(value, rel=0.5)
+        assert ("…" in text) == (text != number_text(value))
+
+
+@pytest.mark.parametrize("text", ["1_000", "１", "1 000", "0x10", "inf", "--1", "1e", "e5", "."])
+def test_what_is_no_number(text):
+    assert not isinstance(typed_number(text), float)
+
+
+def test_blocks():
+    assert typed_block("1\t2,5\r\n−3\t4e-1\r\n") == [[1, 2.5], [-3, 0.4]]
+    with pytest.raises(DocumentError, match="row 2, column 1 of what is pasted is 'x'"):
+        typed_block("1\nx")
+    assert np.shape(typed_block("\n".join(["1\t2\t3"] * 25))) == (25, 3)
