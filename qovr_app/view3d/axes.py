@@ -77,9 +77,7 @@ def axes_box(frame: Frame, camera: Camera, size: Size) -> AxesBox:
         edge = _axis_edge(TITLES[axis], on_screen, ticks, tick_texts(positions[axis]), middle)
         if edge is not None:
             edges.append(edge)
-    return AxesBox(
-        panes=camera.project(panes, size)[..., :2], grid=camera.project(grid, size)[..., :2], edges=edges
-    )
+    return AxesBox(panes=camera.project(panes, size)[..., :2], grid=camera.project(grid, size)[..., :2], edges=edges)
 
 
 def _back_sides(camera: Camera, half: Array) -> Array:

@@ -52,8 +52,7 @@ def surface_vertices(patch: Patch, counts: Counts) -> FloatArray:
     in_v = (along_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
     in_slope_v = (slope_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
     points, su, sv = (
-        (left @ right).reshape(n, 3, m)
-        for left, right in ((along_u, in_v), (slope_u, in_v), (along_u, in_slope_v))
+        (left @ right).reshape(n, 3, m) for left, right in ((along_u, in_v), (slope_u, in_v), (along_u, in_slope_v))
     )
     vertices = np.empty((n, m, 6), dtype=np.float32)
     vertices[..., :3] = points.transpose(0, 2, 1)

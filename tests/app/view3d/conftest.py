@@ -20,9 +20,7 @@ def _expected_pixel(view: object, point: np.ndarray, viewport: int = 0) -> tuple
     frame = picture.scene.frame
     unit = [
         (value - (low + high) / 2) * scale - centre
-        for value, (low, high), scale, centre in zip(
-            point, frame.limits, frame.scale, camera.centre, strict=True
-        )
+        for value, (low, high), scale, centre in zip(point, frame.limits, frame.scale, camera.centre, strict=True)
     ]
     azimuth, elevation = math.radians(camera.azimuth), math.radians(camera.elevation)
     across = -math.sin(azimuth) * unit[0] + math.cos(azimuth) * unit[1]

@@ -32,9 +32,7 @@ def pixel(expected_pixel):
 
 def send(viewport, kind, at, button=LEFT, buttons=LEFT):
     position = QPointF(*at)
-    event = QMouseEvent(
-        kind, position, viewport.mapToGlobal(position), button, buttons, Qt.KeyboardModifier.NoModifier
-    )
+    event = QMouseEvent(kind, position, viewport.mapToGlobal(position), button, buttons, Qt.KeyboardModifier.NoModifier)
     QApplication.sendEvent(viewport, event)
 
 

@@ -129,9 +129,7 @@ def test_an_older_figure_is_replaced_whole(view, tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["a.png"]
 
 
-def test_a_driver_that_fails_on_a_figure_leaves_it_to_the_painter(
-    make_view, document, tmp_path, monkeypatch, silenced
-):
+def test_a_driver_that_fails_on_a_figure_leaves_it_to_the_painter(make_view, document, tmp_path, monkeypatch, silenced):
     from qovr_app.view3d import gl_figure
 
     def fail(*args, **kwargs):

@@ -208,9 +208,7 @@ def test_two_views_at_once(make_view, document, colour_at):
     second = make_view(preset("fig6c").document).view
     for view in (first, second):
         image = view.image()
-        hues = {
-            image.pixelColor(x, image.height() // 2).hue() // 30 for x in range(100, image.width() - 150, 5)
-        }
+        hues = {image.pixelColor(x, image.height() // 2).hue() // 30 for x in range(100, image.width() - 150, 5)}
         assert len(hues) > 3
 
 
