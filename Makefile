@@ -16,7 +16,8 @@ headless:
 	$(QOVR) export paper:fig5 build/fig5.xlsx build/fig5.csv build/fig5.npz build/fig5.qovr
 	$(QOVR) reproduce build/fig5.xlsx
 	$(QOVR) figures build/figures
-	@echo "build/fig5.xlsx is the paper's data, build/figures holds its figures."
+	xvfb-run -a -s "-screen 0 1920x1200x24" $(QOVR) screenshot build/window.png paper:fig5
+	@echo "build/fig5.xlsx is the paper's data, build/figures holds its figures, build/window.png is the editor."
 
 test: setup
 	@$(PY) -m pytest

@@ -65,6 +65,12 @@ def _screenshot(arguments: argparse.Namespace) -> int:
     window = MainWindow(arguments.source)
     window.resize(*arguments.size)
     window.show()
+    if (window.width(), window.height()) != arguments.size:
+        least, (width, height) = window.minimumSizeHint(), arguments.size
+        raise QovrError(
+            f"--size {width} x {height} is too small for the window; "
+            f"expected at least {least.width()} x {least.height()}"
+        )
     picture = take_picture(window, camera=arguments.camera)
     with replacing(arguments.out) as (draft,):
         if not picture.save(str(draft), "PNG"):

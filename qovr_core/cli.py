@@ -17,7 +17,7 @@ from typing import Any, NoReturn
 
 from qovr_core.document import Document, Formulation
 from qovr_core.errors import DocumentError, FileError, QovrError
-from qovr_core.files import FORMATS, format_for, read_source
+from qovr_core.files import FORMATS, ExportOptions, Layer, format_for, read_source
 from qovr_core.files.progress import Progress
 from qovr_core.pipeline import configure
 from qovr_core.presets import presets
@@ -31,6 +31,9 @@ LARGE_EXPORT = 100_000
 
 _SECONDS_A_POINT = 4e-5
 _BYTES_A_POINT = 95
+
+_OF_ONE_LAYER = ", ".join(entry.suffix for entry in FORMATS.values() if entry.holds_one_layer)
+_MESHES = ", ".join(entry.suffix for entry in FORMATS.values() if entry.is_mesh)
 
 Command = Callable[[argparse.Namespace], int]
 
@@ -86,7 +89,10 @@ def build_parser() -> tuple[argparse.ArgumentParser, Any]:
     return parser, commands
 
 
-_EPILOG = "SOURCE is a .qovr file, a workbook in the published layout (.xlsx), or paper:NAME, such as paper:fig6b."
+_EPILOG = (
+    "SOURCE is a .qovr file, a workbook in the published layout (.xlsx), an exported .npz, .mat or .3dm, "
+    "or paper:NAME, such as paper:fig6b."
+)
 
 
 def _add_export(commands: Any) -> None:
@@ -97,8 +103,14 @@ def _add_export(commands: Any) -> None:
     command.add_argument("--samples", type=_samples, metavar="N|NxM", help="samples along u and v, 2 to 4096")
     command.add_argument(
         "--layer",
-        choices=["raw", "transformed"],
-        help="which surface a format that holds only one gets; .xlsx, .csv and .npz hold both",
+        choices=[str(layer) for layer in Layer],
+        help=f"which surface {_OF_ONE_LAYER} get (default: transformed; raw for interpolating)",
+    )
+    command.add_argument(
+        "--tolerance",
+        type=_tolerance,
+        metavar="DISTANCE",
+        help=f"largest distance between surface and mesh; {_MESHES} then choose their own samples",
     )
     command.set_defaults(command=_export)
 
@@ -135,6 +147,9 @@ def _add_info(commands: Any) -> None:
 def _export(arguments: argparse.Namespace) -> int:
     document = _changed(read_source(arguments.source), arguments)
     formats = [format_for(out) for out in arguments.outs]
+    options = ExportOptions(arguments.layer and Layer(arguments.layer), arguments.tolerance)
+    if options.tolerance is not None and not any(target.is_mesh for target in formats):
+        raise QovrError(f"--tolerance is for a mesh; expected an OUT that ends in {_MESHES}")
     for out, target in zip(arguments.outs, formats, strict=True):
         target.check(document, out)
         _check_folder(out)
@@ -143,7 +158,7 @@ def _export(arguments: argparse.Namespace) -> int:
     surface = configure(document)
     for out, target in zip(arguments.outs, formats, strict=True):
         with _progress_bar(out.name) as progress:
-            target.write(surface, out, progress)
+            target.write(surface, out, progress, options)
     return DONE
 
 
@@ -249,6 +264,16 @@ def _samples(text: str) -> tuple[int, int]:
         return checked_samples(n, "samples along u"), checked_samples(m, "samples along v")
     except DocumentError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def _tolerance(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"'{text}' is no tolerance; expected a positive distance, as 0.01")
+    return value
 
 
 def _dpi(text: str) -> int:

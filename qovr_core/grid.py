@@ -18,14 +18,12 @@ import numpy as np
 
 from qovr_core.arrays import Array
 
-BLOCK_BYTES = 300 * 1024
-"""Result of one block: it stays in a core's cache, and is too small for the BLAS to thread it by itself."""
-
-FEWEST_BLOCK_ROWS = 8
-"""Below this the calls cost more than the cache saves, however long a row is."""
+BLOCK_BYTES = 288 * 1024
+"""Result of one block: it stays in a core's cache, and OpenBLAS, which threads products beyond 2^18 multiplications
+of its own accord, leaves it alone. Its threads would spin on for a while and take the cores from whoever draws."""
 
 THREADED_BYTES = 4 * 1024 * 1024
-"""Results smaller than this are done as one block in the caller's thread; larger ones are bound by memory."""
+"""Results smaller than this are done in the caller's thread; larger ones are bound by memory."""
 
 _Partial = TypeVar("_Partial")
 
@@ -44,11 +42,11 @@ def _pool() -> ThreadPoolExecutor:
 
 def _over_rows(rows: int, row_bytes: int, work: Callable[[list[slice]], _Partial]) -> list[_Partial]:
     """Run ``work`` on all rows, cut into blocks, in as many threads as the size is worth."""
-    if rows * row_bytes < THREADED_BYTES:
-        return [work([slice(rows)])]
-    step = max(FEWEST_BLOCK_ROWS, BLOCK_BYTES // row_bytes)
+    step = max(1, BLOCK_BYTES // row_bytes)
     blocks = [slice(k, min(k + step, rows)) for k in range(0, rows, step)]
-    workers = min(os.cpu_count() or 1, len(blocks))
+    workers = min(os.cpu_count() or 1, len(blocks)) if rows * row_bytes >= THREADED_BYTES else 1
+    if workers == 1:
+        return [work(blocks)]
     cuts = [len(blocks) * k // workers for k in range(workers + 1)]
     others = [_pool().submit(work, blocks[a:b]) for a, b in pairwise(cuts[1:])]
     return [work(blocks[: cuts[1]]), *(other.result() for other in others)]

@@ -1,5 +1,5 @@
 """The 3D view: it shows a configured surface and reports picks and drags; it changes no document.
 
 ``View3D`` in ``qovr_app.view3d.view`` is the widget. ``settings`` and ``probe`` are light: importing them
-loads neither pyqtgraph nor OpenGL, so that a window can be shown before the drawing libraries are.
+loads no OpenGL, so that a window can be shown before the drawing libraries are.
 """

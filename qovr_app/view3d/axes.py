@@ -24,6 +24,7 @@ _MOST_INTERVALS = 6
 """More ticks on a long axis than on its neighbour would only set the two apart."""
 
 _EDGE_ON = 1e-6
+_SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)])
 _TIE = 1.5
 """Edges within this many pixels of one another are equally low on the screen."""
 
@@ -54,8 +55,10 @@ class AxesBox:
 
 
 def axes_box(frame: Frame, camera: Camera, size: Size) -> AxesBox:
-    """Return how the axes box of a frame looks through a camera."""
+    """Return how the axes box of a frame looks through a camera; nothing where the eye is too near."""
     half = frame.half_extents
+    if not np.isfinite(camera.project(_SIGNS * half, size)).all():
+        return AxesBox(np.empty((0, 4, 2)), np.empty((0, 2, 2)), [])
     sides = _back_sides(camera, half)
     chosen = [_edge_ends(axis, sides, half, camera, size) for axis in range(3)]
     positions = []
@@ -74,9 +77,7 @@ def axes_box(frame: Frame, camera: Camera, size: Size) -> AxesBox:
         edge = _axis_edge(TITLES[axis], on_screen, ticks, tick_texts(positions[axis]), middle)
         if edge is not None:
             edges.append(edge)
-    return AxesBox(
-        panes=camera.project(panes, size)[..., :2], grid=camera.project(grid, size)[..., :2], edges=edges
-    )
+    return AxesBox(panes=camera.project(panes, size)[..., :2], grid=camera.project(grid, size)[..., :2], edges=edges)
 
 
 def _back_sides(camera: Camera, half: Array) -> Array:

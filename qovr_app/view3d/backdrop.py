@@ -38,12 +38,11 @@ def draw_backdrop(painter: QPainter, picture: Picture, size: Size, *, transparen
         painter.fillRect(QRectF(0, 0, *size), QColor(*theme.background))
     if picture.scene is not None and picture.settings.axes:
         box = axes_box(picture.scene.frame, picture.camera, size)
-        if np.isfinite(box.panes).all():
-            _draw_panes(painter, box.panes, theme, filled=not transparent)
-            painter.setPen(QPen(QColor(*theme.grid), 1.0))
-            painter.drawLines(_lines(box.grid))
-            for edge in box.edges:
-                _draw_edge(painter, edge, theme)
+        _draw_panes(painter, box.panes, theme, filled=not transparent)
+        painter.setPen(QPen(QColor(*theme.grid), 1.0))
+        painter.drawLines(_lines(box.grid))
+        for edge in box.edges:
+            _draw_edge(painter, edge, theme)
     if picture.caption:
         draw_text(painter, plain(picture.caption), (14, 12), (0, 0), theme.quiet_ink, pixels=NORMAL)
 

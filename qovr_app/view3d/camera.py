@@ -189,7 +189,7 @@ def fitted(camera: Camera, half_extents: Array, size: Size, margins: Margins) ->
     room = np.maximum(room, 0.2 * np.array(size))
     target = np.array([margins.left, margins.top]) + room / 2
     result = replace(camera, centre=(0.0, 0.0, 0.0), span=float(4 * np.linalg.norm(half_extents)))
-    for _ in range(4 if camera.perspective else 1):  # in perspective, size and place depend on one another
+    for _ in range(12 if camera.perspective else 1):  # in perspective, size and place depend on one another
         seen = result.project(corners, size)[:, :2]
         extent = np.maximum(np.ptp(seen, axis=0), 1e-6)
         result = replace(result, span=result.span * float((extent / room).max()))

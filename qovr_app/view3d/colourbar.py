@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from PySide6.QtCore import QLineF, QRectF, Qt
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from qovr_app.view3d.camera import Size
+from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.colourmaps import ENTRIES, colour_table
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.settings import ColourMap
 from qovr_app.view3d.text import NORMAL, SMALL, draw_text, plain, text_size
+from qovr_app.view3d.theme import Theme
 from qovr_app.view3d.ticks import tick_positions, tick_texts
 
 TITLE = "Z-Axis Value"
@@ -40,11 +43,41 @@ def bar_rect(size: Size) -> QRectF:
     return QRectF(round(size[0] - _RIGHT), round((size[1] - height) / 2), _WIDTH, round(height))
 
 
+@dataclass(frozen=True)
+class _Bar:
+    """Everything that decides how a colour bar looks."""
+
+    heights: tuple[float, float]
+    colour_map: ColourMap
+    theme: Theme
+    size: Size
+
+
 def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
     """Draw the bar with its ticks and title; the picture has a scene."""
-    theme, (low, high) = picture.theme, picture.scene.heights
-    rect = bar_rect(size)
-    painter.drawImage(rect, _gradient(picture.settings.colour_map))
+    bar = _Bar(picture.scene.heights, picture.settings.colour_map, picture.theme, size)
+    if isinstance(painter.device(), QImage):
+        left = bar_rect(size).left() - 1
+        painter.drawImage(QPointF(left, 0), _drawn(bar, left, painter.device().devicePixelRatioF()))
+    else:
+        _draw(painter, bar)
+
+
+@lru_cache(maxsize=4)
+def _drawn(bar: _Bar, left: float, ratio: float) -> QImage:
+    """Return the strip of the viewport from ``left`` on; bars change less often than pictures."""
+    image = blank_image((bar.size[0] - left, bar.size[1]), ratio)
+    with painting(image) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.translate(-left, 0)
+        _draw(painter, bar)
+    return image
+
+
+def _draw(painter: QPainter, bar: _Bar) -> None:
+    theme, (low, high) = bar.theme, bar.heights
+    rect = bar_rect(bar.size)
+    painter.drawImage(rect, _gradient(bar.colour_map))
     painter.setPen(QPen(QColor(*theme.axis), 1.0))
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(rect.adjusted(-0.5, -0.5, 0.5, 0.5))

@@ -18,10 +18,10 @@ def colour_table(colour_map: ColourMap) -> npt.NDArray[np.uint8]:
     """Return red, green and blue from low to high, (256, 3) uint8, read-only."""
     if colour_map is ColourMap.JET:
         return read_only(np.rint(255 * _matlab_jet(ENTRIES)).astype(np.uint8))
-    from pyqtgraph import colormap
+    from matplotlib import colormaps
 
-    table = colormap.get(colour_map.value).getLookupTable(0.0, 1.0, ENTRIES, alpha=False)
-    return read_only(np.ascontiguousarray(table, dtype=np.uint8))
+    table = colormaps[colour_map.value](np.arange(ENTRIES), bytes=True)
+    return read_only(np.ascontiguousarray(table[:, :3]))
 
 
 def _matlab_jet(count: int) -> Array:

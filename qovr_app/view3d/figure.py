@@ -25,6 +25,9 @@ _LARGEST_SIDE = 20_000
 """Pixels; Qt's painter itself ends at 32767."""
 
 _PRINT_DPI = 300
+_SVG_UNITS = 2540
+"""Units per inch inside an SVG, a hundred a millimetre: its size on paper is a whole number of them."""
+
 _POINTS_PER_INCH = 72
 
 SurfaceImage = Callable[[Picture, Size, tuple[int, int]], QImage]
@@ -145,11 +148,13 @@ def _svg(page: _Page, options: FigureOptions) -> QByteArray:
     data, buffer = _buffer()
     generator = QSvgGenerator()
     generator.setOutputDevice(buffer)
-    generator.setResolution(round(page.size[0] / options.millimetres[0] * _INCH))
-    generator.setSize(QSize(round(page.size[0]), round(page.size[1])))
-    generator.setViewBox(QRectF(0, 0, *page.size))
+    units = [round(side / _INCH * _SVG_UNITS) for side in options.millimetres]
+    generator.setResolution(_SVG_UNITS)
+    generator.setSize(QSize(*units))
+    generator.setViewBox(QRectF(0, 0, *units))
     generator.setTitle("QOVR surface")
     with painting(generator) as painter:
+        painter.scale(units[0] / page.size[0], units[1] / page.size[1])
         _draw_page(painter, page, transparent=options.transparent)
     return data
 

@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 from OpenGL import GL
-from PySide6.QtCore import QPoint, QSize
+from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
-from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectFormat
 
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.canvas import blank_image, painting
+from qovr_app.view3d.gl_buffer import sampled_buffer
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.surface_item import Shot, SurfaceItem
 from qovr_core.arrays import Array
 
 _TILE = 2048
 """Pixels a side of a tile: every driver has such framebuffers, also with several samples a pixel."""
-
-_SAMPLES = 4
 
 
 def surface_image(picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
@@ -45,10 +43,7 @@ def _tile_image(
     item: SurfaceItem, picture: Picture, size: Size, pixels: tuple[int, int], tile: tuple[int, int, int, int]
 ) -> QImage:
     width, height = tile[2:]
-    form = QOpenGLFramebufferObjectFormat()
-    form.setSamples(_SAMPLES)
-    form.setAttachment(QOpenGLFramebufferObject.Attachment.Depth)
-    buffer = QOpenGLFramebufferObject(QSize(width, height), form)
+    buffer = sampled_buffer((width, height))
     if not buffer.isValid() or not buffer.bind():
         raise RuntimeError("the driver gives no framebuffer for a figure")
     GL.glViewport(0, 0, width, height)

@@ -8,6 +8,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtOpenGL import QOpenGLShaderProgram
 
 from qovr_app.view3d.gl_program import link_program
+from qovr_app.view3d.gl_texture import make_texture
 
 
 class ImageLayer:
@@ -42,9 +43,7 @@ class ImageLayer:
             GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, *size, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels)
         else:
             self._size = size
-            GL.glTexImage2D(
-                GL.GL_TEXTURE_2D, 0, GL.GL_RGBA8, *size, 0, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels
-            )
+            GL.glTexImage2D(GL.GL_TEXTURE_2D, 0, GL.GL_RGBA8, *size, 0, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels)
 
     def draw(self, *, blended: bool) -> None:
         """Cover the viewport with the image, opaque or over what is there."""
@@ -66,9 +65,4 @@ class ImageLayer:
     def _create(self) -> None:
         self._program = link_program("layer")
         self._array = int(GL.glGenVertexArrays(1))
-        self._texture = int(GL.glGenTextures(1))
-        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
-        for name in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):
-            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_NEAREST)
-        for name in (GL.GL_TEXTURE_WRAP_S, GL.GL_TEXTURE_WRAP_T):
-            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_CLAMP_TO_EDGE)
+        self._texture = make_texture(GL.GL_NEAREST)

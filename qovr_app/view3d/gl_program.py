@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cache
 from importlib.resources import files
 
@@ -21,9 +22,7 @@ def _source(name: str) -> str:
     return files("qovr_resources").joinpath("shaders", name).read_text(encoding="utf-8")
 
 
-def link_program(
-    name: str, *, defines: dict[str, str] | None = None, attributes: tuple[str, ...] = ()
-) -> QOpenGLShaderProgram:
+def link_program(name: str, *, defines: Sequence[str] = (), attributes: Sequence[str] = ()) -> QOpenGLShaderProgram:
     """Return the program of ``NAME.vert`` and ``NAME.frag`` for the current context.
 
     Parameters
@@ -36,7 +35,7 @@ def link_program(
     ShaderError : the driver refuses it
     """
     head = _ES_HEAD if QOpenGLContext.currentContext().isOpenGLES() else _DESKTOP_HEAD
-    head += "".join(f"#define {key} {value}\n" for key, value in (defines or {}).items())
+    head += "".join(f"#define {key}\n" for key in defines)
     program = QOpenGLShaderProgram()
     for kind, suffix in (
         (QOpenGLShader.ShaderTypeBit.Vertex, "vert"),

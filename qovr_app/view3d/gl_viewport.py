@@ -5,16 +5,16 @@ from __future__ import annotations
 from functools import partial
 
 from OpenGL import GL
-from pyqtgraph.opengl import GLViewWidget
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QImage, QMatrix4x4, QOffscreenSurface, QOpenGLContext
+from PySide6.QtGui import QImage, QOffscreenSurface, QOpenGLContext
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.view3d import failures
+from qovr_app.view3d import failures, gl_figure, painter_surface
 from qovr_app.view3d.backdrop import backdrop_key, draw_backdrop
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.canvas import blank_image, painting
-from qovr_app.view3d.gl_figure import surface_image
+from qovr_app.view3d.gl_buffer import smooth_edges
 from qovr_app.view3d.gl_layer import ImageLayer
 from qovr_app.view3d.overlay import draw_overlay
 from qovr_app.view3d.picture import Picture
@@ -22,7 +22,7 @@ from qovr_app.view3d.probe import gl_support, viewport_format
 from qovr_app.view3d.surface_item import Shot, SurfaceItem
 
 
-class GlViewport(GLViewWidget):
+class GlViewport(QOpenGLWidget):
     """Shows a picture with OpenGL.
 
     ``painted`` tells that a frame has reached the window; ``failed`` that this widget cannot draw, with the
@@ -41,7 +41,6 @@ class GlViewport(GLViewWidget):
         self._backdrop_key: object = None
         self._overlay_image = QImage()
         self._broken = False
-        self.addItem(self._surface)
         self._gl_things = (self._surface, self._backdrop, self._overlay)
         self.frameSwapped.connect(self.painted)
         self.destroyed.connect(partial(_release, self._gl_things))
@@ -63,21 +62,18 @@ class GlViewport(GLViewWidget):
     def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
         """Return the surface alone on a transparent image; the picture laid out for ``size`` logical
         pixels."""
-        self.makeCurrent()
-        try:
-            return surface_image(picture, size, pixels)
-        finally:
-            self.doneCurrent()
-
-    def projectionMatrix(self, region: object, viewport: object) -> QMatrix4x4:  # noqa: ARG002
-        return QMatrix4x4(self._picture.camera.projection_matrix(self.logical_size).ravel().tolist())
-
-    def viewMatrix(self) -> QMatrix4x4:
-        return QMatrix4x4(self._picture.camera.view_matrix().ravel().tolist())
+        if self.isValid() and not self._broken:
+            self.makeCurrent()
+            try:
+                return gl_figure.surface_image(picture, size, pixels)
+            except Exception as error:  # the figure is still made, by the painter
+                self._fail(error, "drawing a figure")
+            finally:
+                self.doneCurrent()
+        return painter_surface.surface_image(picture, size, pixels)
 
     def initializeGL(self) -> None:
         try:
-            super().initializeGL()
             self._start()
         except Exception as error:  # whatever a driver does, the view goes on without it
             self._fail(error, "starting")
@@ -109,23 +105,20 @@ class GlViewport(GLViewWidget):
                 draw_backdrop(painter, picture, size)
             self._backdrop.upload(image)
             self._backdrop_key = key
-        GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
-        self._backdrop.draw(blended=False)
-        camera = picture.camera
-        self._surface.show_picture(picture, Shot(camera.matrix(size), camera.axes, ratio))
-        self.drawItemTree()
+        # Before the surface: a driver that draws on the same processor would be disturbed by the painting.
         self._overlay_image = blank_image(size, ratio, self._overlay_image)
         with painting(self._overlay_image) as painter:
             draw_overlay(painter, picture, size)
+        camera = picture.camera
+        self._surface.show_picture(picture, Shot(camera.matrix(size), camera.axes, ratio))
+        pixels = self._overlay_image.width(), self._overlay_image.height()
+        # Without a graphics card several samples cost too much for motion: the picture at rest has them.
+        with smooth_edges(pixels, wanted=not picture.moving and self.format().samples() < 2):
+            GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
+            self._backdrop.draw(blended=False)
+            self._surface.paint()
         self._overlay.upload(self._overlay_image)
         self._overlay.draw(blended=True)
-
-    def drawItemTree(self, item: object = None, useItemNames: bool = False) -> None:  # noqa: ARG002, N803
-        """Draw the items. The base class prints and swallows what they raise; here it must reach
-        ``paintGL``."""
-        for each in sorted(self.items, key=lambda item: item.depthValue()):
-            if each.visible():
-                each.paint()
 
 
 def _release(things: tuple[SurfaceItem | ImageLayer, ...]) -> None:

@@ -7,6 +7,7 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
+from qovr_app.view3d.settings import Style
 from qovr_core.arrays import Array, read_only
 from qovr_core.bernstein import basis
 from qovr_core.patch import PATCH_DEGREE, Patch
@@ -15,9 +16,9 @@ FloatArray = npt.NDArray[np.float32]
 Counts = tuple[int, int]
 """Vertices along u and along v."""
 
-MOVING_LIMIT, MOVING_SAMPLES = 61, 101
-"""Vertices a side while something moves. With exact normals, and lines that need no vertices, finer grids look
-the same; where the samples themselves are shown, as facets or points, the paper's 101 are."""
+MOVING_LIMIT, MOVING_POINTS = 49, 101
+"""Vertices a side while something moves. With exact normals, lines and facets that need no vertices, finer
+ones look the same; where each vertex is seen, as a point, the paper's 101 are."""
 
 RESTING_LIMIT = 201
 """Vertices a side at rest: silhouettes stay round in a large window and in figures."""
@@ -52,8 +53,7 @@ def surface_vertices(patch: Patch, counts: Counts) -> FloatArray:
     in_v = (along_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
     in_slope_v = (slope_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
     points, su, sv = (
-        (left @ right).reshape(n, 3, m)
-        for left, right in ((along_u, in_v), (slope_u, in_v), (along_u, in_slope_v))
+        (left @ right).reshape(n, 3, m) for left, right in ((along_u, in_v), (slope_u, in_v), (along_u, in_slope_v))
     )
     vertices = np.empty((n, m, 6), dtype=np.float32)
     vertices[..., :3] = points.transpose(0, 2, 1)
@@ -70,9 +70,6 @@ def surface_vertices(patch: Patch, counts: Counts) -> FloatArray:
 def triangle_indices(counts: Counts) -> npt.NDArray[np.uint32]:
     """Return two triangles a cell, wound around S_u x S_v.
 
-    Each ends in the cell's first corner, whose height is what OpenGL takes for ``flat`` colours and what
-    MATLAB's faceted ``surf`` shows.
-
     Returns
     -------
     ((n - 1) (m - 1) 6,) uint32, read-only
@@ -83,17 +80,25 @@ def triangle_indices(counts: Counts) -> npt.NDArray[np.uint32]:
     return read_only((corner + cell).ravel())
 
 
-def display_counts(samples: Counts, *, moving: bool, follow_samples: bool) -> Counts:
-    """Return the display grid of a document with these samples.
-
-    Parameters
-    ----------
-    follow_samples : each sample is to be seen, so that coarse documents stay coarse
-    """
-    if not follow_samples:
-        return (MOVING_LIMIT, MOVING_LIMIT) if moving else (RESTING_LIMIT, RESTING_LIMIT)
-    limit = MOVING_SAMPLES if moving else RESTING_LIMIT
+def display_counts(samples: Counts, style: Style, *, moving: bool) -> Counts:
+    """Return the display grid of a document with these samples; coarse facets and points stay coarse."""
+    limit = MOVING_LIMIT if moving else RESTING_LIMIT
+    if style is Style.POINTS and moving:
+        limit = MOVING_POINTS
+    if style not in (Style.FACETS, Style.POINTS):
+        return limit, limit
     return min(samples[0], limit), min(samples[1], limit)
+
+
+def facet_counts(samples: Counts) -> Counts:
+    """Return the corners of facets along u and v: the samples, as far as facets can be told apart."""
+    return min(samples[0], RESTING_LIMIT), min(samples[1], RESTING_LIMIT)
+
+
+def facet_heights(patch: Patch, counts: Counts) -> FloatArray:
+    """Return z of a patch at every corner of the facets, (n, m) float32, read-only."""
+    (along_u, _), (along_v, _) = (_bases(count) for count in counts)
+    return read_only(along_u @ patch.coefficients[..., 2].astype(np.float32) @ along_v.T)
 
 
 def curve_points(coefficients: Array, count: int) -> Array:

@@ -68,6 +68,10 @@ class Navigator(QObject):
         """Whether a control point is being dragged."""
         return self._gesture != 0
 
+    def finish(self) -> None:
+        """End a drag where the point is now, because the viewport goes."""
+        self._let_go(self.drag_finished)
+
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: ARG002
         handler = self._handlers.get(event.type())
         return handler is not None and handler(event)

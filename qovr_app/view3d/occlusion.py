@@ -79,8 +79,9 @@ def _covers(a: Array, b: Array, c: Array, at: Array) -> Array:
     """Return whether each triangle, corners (3, k), lies over its mark (3, k) on the screen, and nearer."""
     ab, ac, am = b - a, c - a, at - a
     area = ab[0] * ac[1] - ab[1] * ac[0]
-    with np.errstate(divide="ignore", invalid="ignore"):
+    # A triangle seen edge on has no area; what is infinite or no number then lies inside nothing.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
         s = (am[0] * ac[1] - am[1] * ac[0]) / area
         t = (ab[0] * am[1] - ab[1] * am[0]) / area
-    inside = (s >= 0) & (t >= 0) & (s + t <= 1)
-    return inside & (s * ab[2] + t * ac[2] - am[2] > _IN_FRONT)
+        inside = (s >= 0) & (t >= 0) & (s + t <= 1)
+        return inside & (s * ab[2] + t * ac[2] - am[2] > _IN_FRONT)

@@ -26,7 +26,7 @@ from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE
 
 POINT_RADIUS = 4.5
-_MARKED_RADIUS = 6.5
+_MARKED_RADIUS, _RING_RADIUS = 6.0, 10.0
 _LABEL_OFFSET = (6.0, -4.0)
 _LABEL_ROOM = (24.0, 13.0)
 """Logical pixels across a label and down: one that begins within these of another would lie on it."""
@@ -121,7 +121,8 @@ def _hidden(picture: Picture, marks: Array, size: Size) -> npt.NDArray[np.bool_]
 
 def _draw_family(painter: QPainter, family: _Family, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:
     """Draw polylines (k, n, 2), dim where both ends of a piece are hidden."""
-    dim = hidden[:, :-1] & hidden[:, 1:]
+    whole = np.isfinite(seen).all(axis=(1, 2))
+    seen, dim = seen[whole], (hidden[:, :-1] & hidden[:, 1:])[whole]
     ends = np.ones((*dim.shape[:1], dim.shape[1] + 1), dtype=bool)
     ends[:, 1:-1] = dim[:, 1:] != dim[:, :-1]
     if family.straight > 1:
@@ -132,28 +133,17 @@ def _draw_family(painter: QPainter, family: _Family, seen: Array, hidden: npt.ND
         painter.setPen(
             QPen(ink, family.width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
         )
-        for line, stops, dims in zip(seen, ends, dim, strict=True):
-            if np.isfinite(line).all():
-                _draw_runs(painter, line, np.flatnonzero(stops), dims == is_dim, smooth=family.straight == 1)
-
-
-def _draw_runs(
-    painter: QPainter,
-    line: Array,
-    stops: npt.NDArray[np.intp],
-    wanted: npt.NDArray[np.bool_],
-    *,
-    smooth: bool,
-) -> None:
-    """Draw the wanted runs of a polyline (n, 2) between its stops: straight ones by their ends alone."""
-    points = line.tolist() if smooth else None
-    for start, stop in itertools.pairwise(stops.tolist()):
-        if not wanted[start]:
-            continue
-        if smooth:
-            painter.drawPolyline(QPolygonF([QPointF(x, y) for x, y in points[start : stop + 1]]))
-        else:
-            painter.drawLine(QLineF(*line[start].tolist(), *line[stop].tolist()))
+        straight = []
+        for line, stops, dims in zip(seen.tolist(), ends, dim.tolist(), strict=True):
+            for start, stop in itertools.pairwise(np.flatnonzero(stops).tolist()):
+                if dims[start] != is_dim:
+                    continue
+                if family.straight > 1:
+                    straight.append(QLineF(*line[start], *line[stop]))
+                else:
+                    run = [QPointF(x, y) for x, y in line[start : stop + 1]]
+                    painter.drawPolyline(QPolygonF(run))
+        painter.drawLines(straight)
 
 
 def _draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:
@@ -171,7 +161,8 @@ def _draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: npt.N
         taken.append((x, y))
         runs = (("P", False), (f"{k // NET_SIZE},{k % NET_SIZE}", True))
         opacity = _HIDDEN_LABEL if hidden[k] and k not in first else 1.0
-        draw_text(painter, runs, (x, y), (0, 0.75), theme.ink, halo=theme.rim, opacity=opacity)
+        ink = theme.accent if k in first else theme.ink
+        draw_text(painter, runs, (x, y), (0, 0.75), ink, halo=theme.rim, opacity=opacity)
 
 
 def _draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:
@@ -184,9 +175,9 @@ def _draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: npt.N
         centre = QPointF(x, y)
         painter.setOpacity(_HIDDEN_LABEL if hidden[k] and not marked else 1.0)
         if index == picture.selected:
-            painter.setPen(QPen(QColor(*theme.accent), 2.0))
+            painter.setPen(QPen(QColor(*theme.accent), 2.4))
             painter.setBrush(QColor(*theme.rim))
-            painter.drawEllipse(centre, _MARKED_RADIUS + 2, _MARKED_RADIUS + 2)
+            painter.drawEllipse(centre, _RING_RADIUS, _RING_RADIUS)
         painter.setPen(QPen(QColor(*theme.rim), 1.4))
         painter.setBrush(QColor(*theme.accent))
         radius = _MARKED_RADIUS if marked else POINT_RADIUS

@@ -5,9 +5,10 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
 from qovr_app.view3d.camera import Size
+from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.colourmaps import colours_of
 from qovr_app.view3d.mesh import Counts, surface_vertices
 from qovr_app.view3d.picture import Picture
@@ -24,8 +25,17 @@ _KEY_LIGHT = np.array([-0.36, 0.48, 0.80])
 _CELL_LINE = 0.75
 """Every cell is outlined here, where OpenGL draws few lines: each is that much thinner and paler."""
 
-_SEAM = 0.6
+_SEAM = 1.0
 """Width of the outline in a cell's own colour that closes the gaps between antialiased neighbours."""
+
+
+def surface_image(picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
+    """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""
+    image = blank_image(pixels, 1.0)
+    with painting(image) as painter:
+        painter.scale(pixels[0] / size[0], pixels[1] / size[1])
+        paint_surface(painter, picture, size)
+    return image
 
 
 def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
@@ -65,15 +75,18 @@ def _paint_cells(painter: QPainter, picture: Picture, vertices: Array, seen: Arr
     ink.setAlphaF(alpha * _CELL_LINE)
     pen = QPen(ink, line_width(style) * _CELL_LINE)
     pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
-    painter.setBrush(Qt.BrushStyle.NoBrush)
     for outline, colour in zip(corners[order, :, :2].tolist(), colours, strict=True):
+        shape = QPolygonF([QPointF(x, y) for x, y in outline])
         fill = QColor(*colour)
+        painter.setPen(QPen(fill, _SEAM))
         if style is Style.WIREFRAME:
-            painter.setPen(QPen(fill, line_width(style)))
-        else:
-            painter.setBrush(fill)
-            painter.setPen(pen if alpha else QPen(fill, _SEAM))
-        painter.drawConvexPolygon(QPolygonF([QPointF(x, y) for x, y in outline]))
+            painter.drawPolygon(shape)
+            continue
+        painter.setBrush(fill)
+        painter.drawConvexPolygon(shape)
+        if alpha:
+            painter.setPen(pen)
+            painter.drawPolyline(shape)
 
 
 def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
@@ -90,7 +103,7 @@ def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
     normals *= np.where(normals[:, 2:] < 0, -1, 1)
     key = np.maximum(normals @ _KEY_LIGHT, 0)
-    light = 0.40 + 0.52 * key + 0.14 * normals[:, 2]
+    light = 0.52 + 0.44 * key + 0.10 * normals[:, 2]
     return np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
 
 

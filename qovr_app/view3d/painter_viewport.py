@@ -11,7 +11,7 @@ from qovr_app.view3d.backdrop import draw_backdrop
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.overlay import draw_overlay
-from qovr_app.view3d.painter_surface import paint_surface
+from qovr_app.view3d.painter_surface import paint_surface, surface_image
 from qovr_app.view3d.picture import Picture
 
 
@@ -48,11 +48,7 @@ class PainterViewport(QWidget):
     def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
         """Return the surface alone on a transparent image; the picture laid out for ``size`` logical
         pixels."""
-        image = blank_image(pixels, 1.0)
-        with painting(image) as painter:
-            painter.scale(pixels[0] / size[0], pixels[1] / size[1])
-            paint_surface(painter, picture, size)
-        return image
+        return surface_image(picture, size, pixels)
 
     def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
         # Drawn on an image first: there the overlay's lettering is placed on whole pixels, as with OpenGL.

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from qovr_app.view3d.camera import Camera, Margins, Size
 from qovr_app.view3d.mesh import Counts, display_counts
 from qovr_app.view3d.scene import NetIndex, Scene
-from qovr_app.view3d.settings import DisplaySettings, Style
+from qovr_app.view3d.settings import DisplaySettings
 from qovr_app.view3d.theme import Theme, theme_of
 
 _BAR_ROOM = 104.0
@@ -48,8 +48,7 @@ class Picture:
         """Vertices of the display grid along u and v."""
         if self.scene is None:
             return (2, 2)
-        follow = self.settings.style in (Style.FACETS, Style.POINTS)
-        return display_counts(self.scene.document.samples, moving=self.moving, follow_samples=follow)
+        return display_counts(self.scene.document.samples, self.settings.style, moving=self.moving)
 
 
 def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:

@@ -45,13 +45,12 @@ class GlSupport:
 def set_default_format() -> None:
     """Ask for a 3.3 core profile with shared contexts; to be called before the QApplication is made.
 
-    Without sharing, a second view draws nothing: pyqtgraph keeps one table of shader programs for all
-    contexts.
+    Sharing lets what a viewport has made be destroyed after the viewport, and its context, have gone.
     """
     QCoreApplication.setAttribute(Qt.ApplicationAttribute.AA_ShareOpenGLContexts)
-    wanted = QSurfaceFormat()
+    wanted = QSurfaceFormat(QSurfaceFormat.defaultFormat())
     wanted.setDepthBufferSize(24)
-    if QSurfaceFormat.defaultFormat().renderableType() != QSurfaceFormat.RenderableType.OpenGLES:
+    if wanted.renderableType() != QSurfaceFormat.RenderableType.OpenGLES:
         wanted.setVersion(3, 3)
         wanted.setProfile(QSurfaceFormat.OpenGLContextProfile.CoreProfile)
     QSurfaceFormat.setDefaultFormat(wanted)

@@ -1,5 +1,4 @@
-"""The surface as an item of a pyqtgraph GL view: a fixed triangulation whose vertices are rewritten at
-every edit.
+"""The surface as OpenGL draws it: a fixed triangulation whose vertices are rewritten at every edit.
 
 Everything is created in ``paint``, where the context is current, and destroyed by ``release``, which the
 viewport calls when it goes.
@@ -11,13 +10,13 @@ from dataclasses import dataclass
 
 import numpy as np
 from OpenGL import GL
-from pyqtgraph.opengl.GLGraphicsItem import GLGraphicsItem
 from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QOpenGLContext, QVector4D
 from PySide6.QtOpenGL import QOpenGLBuffer, QOpenGLShaderProgram
 
 from qovr_app.view3d.colourmaps import ENTRIES, colour_table
 from qovr_app.view3d.gl_program import link_program
-from qovr_app.view3d.mesh import Counts, surface_vertices, triangle_indices
+from qovr_app.view3d.gl_texture import make_texture
+from qovr_app.view3d.mesh import Counts, facet_counts, facet_heights, surface_vertices, triangle_indices
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.settings import ColourMap, Style
 from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_periods, line_width
@@ -29,10 +28,10 @@ _FLOAT_BYTES = 4
 _VERTEX_BYTES = 6 * _FLOAT_BYTES
 
 _DEFINES = {
-    Style.FACETS: {"HEIGHT_SHADING": "flat"},
-    Style.SMOOTH: {"HEIGHT_SHADING": "smooth", "LIGHT": "1"},
-    Style.WIREFRAME: {"HEIGHT_SHADING": "smooth", "WIREFRAME": "1"},
-    Style.POINTS: {"HEIGHT_SHADING": "smooth", "POINTS": "1"},
+    Style.FACETS: ("FACETS", "CELLS"),
+    Style.SMOOTH: ("LIGHT",),
+    Style.WIREFRAME: ("WIREFRAME",),
+    Style.POINTS: ("POINTS",),
 }
 
 
@@ -47,11 +46,10 @@ class Shot:
     pixel_ratio: float
 
 
-class SurfaceItem(GLGraphicsItem):
+class SurfaceItem:
     """The surface of a picture, drawn with the current context."""
 
     def __init__(self) -> None:
-        super().__init__()
         self._picture: Picture | None = None
         self._shot: Shot | None = None
         self.forget()
@@ -62,7 +60,8 @@ class SurfaceItem(GLGraphicsItem):
         self._array = 0
         self._vertices: QOpenGLBuffer | None = None
         self._indices: QOpenGLBuffer | None = None
-        self._texture = 0
+        self._textures: list[int] = []
+        self._faceted: tuple[Patch, Counts] | None = None
         self._drawn: tuple[Patch, Counts] | None = None
         self._indexed: Counts | None = None
         self._coloured: ColourMap | None = None
@@ -77,7 +76,7 @@ class SurfaceItem(GLGraphicsItem):
             GL.glDeleteVertexArrays(1, [self._array])
             self._vertices.destroy()
             self._indices.destroy()
-            GL.glDeleteTextures([self._texture])
+            GL.glDeleteTextures(self._textures)
         self.forget()
 
     def paint(self) -> None:
@@ -92,8 +91,10 @@ class SurfaceItem(GLGraphicsItem):
         program = self._program(style, lines=line_opacity(picture.settings) > 0)
         program.bind()
         self._set_uniforms(program, picture)
+        for unit, texture in enumerate(self._textures):
+            GL.glActiveTexture(GL.GL_TEXTURE0 + unit)
+            GL.glBindTexture(GL.GL_TEXTURE_2D, texture)
         GL.glActiveTexture(GL.GL_TEXTURE0)
-        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
         self._draw(style, picture.counts)
         program.release()
         GL.glBindVertexArray(0)
@@ -105,18 +106,13 @@ class SurfaceItem(GLGraphicsItem):
         if not (self._vertices.create() and self._indices.create()):
             raise RuntimeError("the driver creates no vertex buffers")
         self._vertices.setUsagePattern(QOpenGLBuffer.UsagePattern.DynamicDraw)
-        self._texture = int(GL.glGenTextures(1))
-        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
-        for name in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):
-            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_LINEAR)
-        for name in (GL.GL_TEXTURE_WRAP_S, GL.GL_TEXTURE_WRAP_T):
-            GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_CLAMP_TO_EDGE)
+        self._textures = [make_texture(GL.GL_LINEAR), make_texture(GL.GL_NEAREST)]
 
     def _program(self, style: Style, *, lines: bool) -> QOpenGLShaderProgram:
         key = style, lines
         if key not in self._programs:
-            defines = _DEFINES[style] | ({"LINES": "1"} if lines else {})
-            self._programs[key] = link_program("surface", defines=defines, attributes=_ATTRIBUTES)
+            defines = {*_DEFINES[style], *(("LINES", "CELLS") if lines else ())}
+            self._programs[key] = link_program("surface", defines=sorted(defines), attributes=_ATTRIBUTES)
         return self._programs[key]
 
     def _upload(self, picture: Picture) -> None:
@@ -131,12 +127,26 @@ class SurfaceItem(GLGraphicsItem):
             self._indexed = counts
         if self._coloured != picture.settings.colour_map:
             self._coloured = picture.settings.colour_map
-            GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
+            GL.glBindTexture(GL.GL_TEXTURE_2D, self._textures[0])
             GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
             GL.glTexImage2D(
                 GL.GL_TEXTURE_2D, 0, GL.GL_RGB8, ENTRIES, 1, 0, GL.GL_RGB, GL.GL_UNSIGNED_BYTE,
                 colour_table(self._coloured),
             )  # fmt: skip
+
+        if picture.settings.style is Style.FACETS:
+            self._upload_facets(patch, facet_counts(picture.scene.document.samples))
+
+    def _upload_facets(self, patch: Patch, counts: Counts) -> None:
+        if self._faceted is not None and self._faceted[0] is patch and self._faceted[1] == counts:
+            return
+        self._faceted = patch, counts
+        GL.glBindTexture(GL.GL_TEXTURE_2D, self._textures[1])
+        GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4)
+        GL.glTexImage2D(
+            GL.GL_TEXTURE_2D, 0, GL.GL_R32F, counts[1], counts[0], 0, GL.GL_RED, GL.GL_FLOAT,
+            facet_heights(patch, counts),
+        )  # fmt: skip
 
     def _upload_vertices(self, patch: Patch, counts: Counts) -> None:
         vertices = surface_vertices(patch, counts)
@@ -165,13 +175,17 @@ class SurfaceItem(GLGraphicsItem):
         GL.glUniform2f(at("u_counts"), *picture.counts)
         GL.glUniform2f(at("u_cells"), *cells.tolist())
         GL.glUniform2f(at("u_heights"), scale, -low * scale if scale else 0.5)
-        GL.glUniform2f(at("u_fine"), *fine)
-        GL.glUniform2f(at("u_coarse"), *coarse)
+        for name, period in (("u_fine", fine), ("u_coarse", coarse)):
+            GL.glUniform4f(at(name), *period, *(1 / cells for cells in period))
         program.setUniformValue(at("u_line"), QVector4D(*line))
         GL.glUniform1f(at("u_line_width"), line_width(settings.style) * shot.pixel_ratio)
-        GL.glUniform1f(at("u_pixel_ratio"), shot.pixel_ratio)
+        GL.glUniform1f(at("u_logical"), 1 / shot.pixel_ratio)
         GL.glUniform1f(at("u_point_size"), POINT_SIZE * shot.pixel_ratio)
         GL.glUniform1i(at("u_colours"), 0)
+        if settings.style is Style.FACETS:
+            GL.glUniform1i(at("u_samples"), 1)
+            facets = np.subtract(facet_counts(scene.document.samples), 1)
+            GL.glUniform4f(at("u_facets"), *(facets - 1).tolist(), *(facets / cells).tolist())
 
     def _draw(self, style: Style, counts: Counts) -> None:
         see_through = style is Style.WIREFRAME

@@ -83,9 +83,7 @@ def draw_text(
         painter.drawImage(QPointF(x, y), image)
     else:
         path = _outline(_pieces(runs, pixels, QPointF(0, 0)))
-        placed = (
-            QTransform.fromTranslate(x, y + height).rotate(-90) if upright else QTransform.fromTranslate(x, y)
-        )
+        placed = QTransform.fromTranslate(x, y + height).rotate(-90) if upright else QTransform.fromTranslate(x, y)
         _draw_outlines(painter, placed.map(path), colour, halo)
     painter.setOpacity(1.0)
 

@@ -56,7 +56,7 @@ def tick_texts(positions: Array) -> list[str]:
     largest = float(np.abs(positions).max())
     step = float(positions[1] - positions[0]) if positions.size > 1 else largest or 1.0
     if largest >= _LONGEST_FIXED or step < _SMALLEST_FIXED:
-        digits = max(0, math.ceil(math.log10(max(largest, step) / step)))
+        digits = max(0, math.floor(math.log10(largest or step)) - math.floor(math.log10(step) + _SLACK))
         texts = [f"{value:.{digits}e}" for value in positions]
     else:
         decimals = next(d for d in range(8) if abs(round(step, d) - step) <= _SLACK * step)

@@ -6,25 +6,26 @@ from __future__ import annotations
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QEasingCurve, QPoint, QTimer, QVariantAnimation, Signal
+from PySide6.QtCore import QPoint, QSize, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QResizeEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from qovr_app.view3d.camera import NAMED_VIEWS, Camera, fitted
 from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.figure import FigureOptions, save_figure
-from qovr_app.view3d.frame import HALF_EXTENTS, Frame
+from qovr_app.view3d.frame import HALF_EXTENTS
 from qovr_app.view3d.navigator import Navigator
 from qovr_app.view3d.painter_viewport import PainterViewport
 from qovr_app.view3d.picture import Picture, margins
 from qovr_app.view3d.probe import gl_support
-from qovr_app.view3d.scene import NetIndex, Result, Scene, make_scene, scene_frame
+from qovr_app.view3d.scene import NetIndex, Result
 from qovr_app.view3d.settings import DisplaySettings, Layer, Projection
+from qovr_app.view3d.stage import Stage, shown_layers
+from qovr_app.view3d.turn import Turn
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""
 
-_TURN_MILLISECONDS = 240
 _GAP = 1
 """Pixels between two viewports."""
 
@@ -54,27 +55,27 @@ class View3D(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._settings, self._camera = DisplaySettings(), Camera()
-        self._result: Result | None = None
-        self._frames: dict[Layer, Frame] = {}
-        self._scenes: dict[Layer, Scene] = {}
+        self._stage = Stage()
         self._selected: NetIndex | None = None
         self._hovered: NetIndex | None = None
         self._moving = False
         self._is_fitted, self._dragging = True, False
         self._viewports: dict[int, QWidget] = {}
+        self._navigators: list[Navigator] = []
         self._uses_gl = gl_support().usable
         if not self._uses_gl:
             QTimer.singleShot(0, self, lambda: self.fell_back.emit(gl_support().reason))
         self._rest = QTimer(self, singleShot=True, interval=_REST_MILLISECONDS)
         self._rest.timeout.connect(self._refine)
-        self._turn = QVariantAnimation(self, duration=_TURN_MILLISECONDS)
-        self._turn.setEasingCurve(QEasingCurve.Type.OutCubic)
-        self._turn_ends = (self._camera, self._camera)
-        self._turn.valueChanged.connect(self._on_turned)
+        self._turn = Turn(self)
+        self._turn.moved.connect(self._move_to)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(_GAP)
         self._arrange()
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(320, 240)
 
     # What is shown
 
@@ -104,7 +105,7 @@ class View3D(QWidget):
         return Picture(
             settings=self._settings,
             camera=self._camera,
-            scene=self._scenes.get(layer),
+            scene=self._stage.scene(layer),
             selected=self._selected,
             hovered=self._hovered,
             moving=self._moving,
@@ -113,15 +114,14 @@ class View3D(QWidget):
 
     def set_result(self, result: Result) -> None:
         """Show a result. The camera stays where it is; during a drag the axes' limits stay too."""
-        self._result = result
-        self._make_scenes(keep_frames=self._dragging)
+        self._stage.set_result(result, self._settings, keep_limits=self._dragging)
         self._show_moving()
 
     def set_settings(self, settings: DisplaySettings) -> None:
         """Show the result in another way."""
         before, self._settings = self._settings, settings
         if (before.layer, before.scaling) != (settings.layer, settings.scaling):
-            self._make_scenes(keep_frames=False)
+            self._stage.build(settings, keep_limits=False)
         perspective = settings.projection is Projection.PERSPECTIVE
         self._camera = replace(self._camera, perspective=perspective)
         if before.layer is not settings.layer:
@@ -162,29 +162,27 @@ class View3D(QWidget):
 
     def _turn_to(self, goal: Camera, *, animated: bool) -> None:
         self._turn.stop()
-        if not animated or not self.isVisible():
-            self._camera = goal
-            self._show_moving()
-            return
-        self._turn_ends = (self._camera, goal)
-        self._turn.setStartValue(0.0)
-        self._turn.setEndValue(1.0)
-        self._turn.start()
+        if animated and self.isVisible():
+            self._turn.go(self._camera, goal)
+        else:
+            self._move_to(goal)
 
-    def _on_turned(self, part: float) -> None:
-        start, goal = self._turn_ends
-        self._camera = goal if part == 1.0 else start.toward(goal, part)
+    def _move_to(self, camera: Camera) -> None:
+        self._camera = camera
         self._show_moving()
 
     def _on_camera_requested(self, camera: Camera) -> None:
         self._turn.stop()
         self._is_fitted = False
-        self._camera = camera
-        self._show_moving()
+        self._move_to(camera)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self.layout().activate()
+        self._lay_out()
+
+    def _lay_out(self) -> None:
+        """Give the viewports their places, and a fitted camera its distance."""
+        self.layout().setGeometry(self.rect())
         if self._is_fitted:
             self._turn.stop()
             self._camera = self._fitted(self._camera)
@@ -193,7 +191,10 @@ class View3D(QWidget):
     # Images
 
     def image(self) -> QImage:
-        """Return what is seen, at the device's resolution."""
+        """Return what is seen, or would be if the view were shown, at the device's resolution."""
+        if not self.isVisible():
+            self._lay_out()
+        self._refine()  # what is kept is looked at longer than a frame
         ratio = self.devicePixelRatioF()
         result = blank_image((self.width(), self.height()), ratio)
         result.fill(QColor(*self.picture().theme.grid))
@@ -211,6 +212,8 @@ class View3D(QWidget):
         ------
         qovr_core.FileError : the suffix is another one, or the file cannot be written; nothing is left behind
         """
+        if not self.isVisible():
+            self._lay_out()
         panels = []
         for k, viewport in enumerate(self.viewports):
             picture = replace(self.picture(k), moving=False, hovered=None)
@@ -221,18 +224,7 @@ class View3D(QWidget):
 
     @property
     def _layers(self) -> tuple[Layer, ...]:
-        both = self._settings.layer is Layer.BOTH
-        return (Layer.RAW, Layer.TRANSFORMED) if both else (self._settings.layer,)
-
-    def _make_scenes(self, *, keep_frames: bool) -> None:
-        """Make the scenes of the shown layers, with limits of their own or those they had."""
-        self._scenes = {}
-        if self._result is None:
-            return
-        for layer in self._layers:
-            if layer not in self._frames or not keep_frames:
-                self._frames[layer] = scene_frame(self._result, layer, self._settings.scaling)
-            self._scenes[layer] = make_scene(self._result, layer, self._frames[layer])
+        return shown_layers(self._settings)
 
     def _arrange(self) -> None:
         """Have one viewport for every shown layer."""
@@ -256,6 +248,7 @@ class View3D(QWidget):
         navigator.dragged.connect(self.point_dragged)
         navigator.drag_finished.connect(self._on_drag_finished)
         navigator.drag_cancelled.connect(self._on_drag_cancelled)
+        self._navigators.append(navigator)
         return viewport
 
     def _gl_viewport(self, number: int) -> QWidget:
@@ -272,12 +265,14 @@ class View3D(QWidget):
             QTimer.singleShot(0, self, lambda: self._fall_back(reason))
 
     def _fall_back(self, reason: str) -> None:
+        for navigator in self._navigators:
+            navigator.finish()
+        self._navigators = []
         for viewport in self._viewports.values():
             self.layout().removeWidget(viewport)
             viewport.hide()
             viewport.deleteLater()
         self._viewports = {}
-        self._dragging = False
         self._arrange()
         self._show()
         self.fell_back.emit(reason)
@@ -310,7 +305,7 @@ class View3D(QWidget):
     def _end_drag(self) -> None:
         """Let the axes' limits follow the result again."""
         self._dragging = False
-        self._make_scenes(keep_frames=False)
+        self._stage.build(self._settings, keep_limits=False)
         self._show_moving()
 
     # Drawing

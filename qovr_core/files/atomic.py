@@ -50,7 +50,7 @@ def _draft(target: Path, place: Path) -> Iterator[Path]:
     if place.is_dir():
         raise FileError(f"{target}: cannot be written: it is a folder; expected a file name")
     if not place.parent.is_dir():
-        raise FileError(f"{target}: cannot be written: the folder {place.parent} does not exist")
+        raise FileError(f"{target}: cannot be written: the folder {target.parent} does not exist")
     if place.exists() and not os.access(place, os.W_OK):
         raise FileError(f"{target}: cannot be written: the file is write-protected")
     draft = place.parent / f".qovr-{secrets.token_hex(6)}.part"

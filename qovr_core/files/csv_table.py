@@ -10,9 +10,9 @@ import numpy as np
 
 from qovr_core.files.atomic import replacing
 from qovr_core.files.progress import Progress
+from qovr_core.files.provenance import PROGRAM
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.pipeline import Surface
-from qovr_core.version import VERSION
 
 HEADER = ("i", "j", "u", "v", "raw_x", "raw_y", "raw_z", "transformed_x", "transformed_y", "transformed_z")
 
@@ -43,7 +43,7 @@ def write_csv(surface: Surface, path: Path, progress: Progress) -> None:
 
 def _inputs_text(surface: Surface) -> str:
     content = {
-        "program": f"QOVR Studio {VERSION}",
+        "program": PROGRAM,
         "document": json.loads(document_to_json(surface.document)),
         "control_box": surface.control_box.tolist(),
         "raw_box": surface.raw_box.tolist(),

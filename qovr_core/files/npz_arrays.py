@@ -1,14 +1,19 @@
-"""Writing ``.npz``: every array of a surface under its own name."""
+"""``.npz``: every array of a surface under its own name, and the document read back from them."""
 
 from __future__ import annotations
 
+import zipfile
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from qovr_core.document import Document
+from qovr_core.errors import FileError
+from qovr_core.files.array_document import INPUTS, LARGEST_INPUT, document_from_arrays
 from qovr_core.files.atomic import replacing
 from qovr_core.files.progress import Progress
+from qovr_core.files.provenance import PROGRAM
 from qovr_core.knots import knot_array
 from qovr_core.pipeline import Surface
 
@@ -28,6 +33,7 @@ def surface_arrays(surface: Surface) -> dict[str, Any]:
         "raw_box": surface.raw_box,
         "matrix": surface.matrix,
         "formulation": str(document.formulation),
+        "program": PROGRAM,
     }
 
 
@@ -38,6 +44,35 @@ def write_npz(surface: Surface, path: Path, progress: Progress) -> None:
     ------
     FileError : the file cannot be written
     """
-    with replacing(path) as (draft,), draft.open("wb") as file:
-        np.savez(file, **surface_arrays(surface))
-        progress(1.0)
+    arrays = surface_arrays(surface)
+    with replacing(path) as (draft,), zipfile.ZipFile(draft, "w") as archive:
+        for done, (name, array) in enumerate(arrays.items(), 1):
+            with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+                np.lib.format.write_array(member, np.asanyarray(array), allow_pickle=False)
+            progress(done / len(arrays))
+
+
+def read_npz(path: Path) -> Document:
+    """Return the document whose inputs an ``.npz`` file of this program holds, to the last bit.
+
+    Raises
+    ------
+    FileError : the file cannot be read, is no NumPy archive, or an array holds anything but what belongs there
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            arrays = {name: _member(archive, name) for name in INPUTS if f"{name}.npy" in archive.namelist()}
+    except OSError as error:
+        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
+    except Exception as error:  # a damaged archive fails in as many ways as there are decoders
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise FileError(f"{path}: is no whole NumPy archive: {reason}") from error
+    return document_from_arrays(arrays, path)
+
+
+def _member(archive: zipfile.ZipFile, name: str) -> Any:
+    info = archive.getinfo(f"{name}.npy")
+    if info.file_size > LARGEST_INPUT:
+        raise ValueError(f"{name} is {info.file_size:,} bytes long; expected at most {LARGEST_INPUT:,}")
+    with archive.open(info) as member:
+        return np.lib.format.read_array(member, allow_pickle=False)

@@ -49,7 +49,11 @@ COLUMN_KNOT_NAMES = ("tip_K", "vip", "sip_K", "rip_K")
 """Downward from the first row: the tables stand as the net lies in space, rows upward."""
 
 RECORD_SHEET = "Document"
-"""A second sheet for what the published layout has no place for: formulation and samples."""
+"""A second sheet for what the published layout has no place for: formulation, samples, and the exact document."""
+
+RECORD_OF_DOCUMENT = "document"
+CELL_ROUNDING = 1e-15
+"""Cells hold 16 digits: the recorded document counts where every cell is its number to this part."""
 
 
 def column_index(letters: str) -> int:

@@ -6,17 +6,27 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
+from qovr_core.files.mat_arrays import read_mat
+from qovr_core.files.npz_arrays import read_npz
 from qovr_core.files.qovr_document import read_document
+from qovr_core.files.rhino import read_3dm
 from qovr_core.files.workbook_read import read_workbook
 from qovr_core.presets import preset
 
 PRESET_PREFIX = "paper:"
 
-READERS = {".qovr": read_document, ".xlsx": read_workbook}
+READERS = {
+    ".qovr": read_document,
+    ".xlsx": read_workbook,
+    ".npz": read_npz,
+    ".mat": read_mat,
+    ".3dm": read_3dm,
+}
+"""The files that carry a whole document."""
 
 
 def read_source(source: str) -> Document:
-    """Return the document of a ``.qovr`` file, a workbook in the published layout, or ``paper:NAME``.
+    """Return the document of a file that carries one, or of ``paper:NAME``.
 
     Raises
     ------
@@ -30,6 +40,6 @@ def read_source(source: str) -> Document:
         reader = READERS[path.suffix.lower()]
     except KeyError:
         raise SourceError(
-            f"{source}: is no source; expected a file of {' or '.join(READERS)}, or {PRESET_PREFIX}NAME"
+            f"{source}: is no source; expected a file of {', '.join(READERS)}, or {PRESET_PREFIX}NAME"
         ) from None
     return reader(path)

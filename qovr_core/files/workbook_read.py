@@ -14,7 +14,8 @@ from qovr_core.checks import SAMPLES_RANGE, checked_knot, checked_number, descri
 from qovr_core.document import NET_SIZE, Document, Formulation
 from qovr_core.errors import DocumentError, FileError
 from qovr_core.files import published_layout as layout
-from qovr_core.knots import Knots
+from qovr_core.files.qovr_document import document_from_json
+from qovr_core.knots import Knots, knot_array
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,13 +137,31 @@ def _document(sheet: _Sheet, record: dict[str, Any]) -> Document:
             if value != index:
                 raise DocumentError(sheet.place(column, layout.FIRST_ROW + k), described(value), f"the index {index}")
     net = sheet.numbers(layout.NET, NET_SIZE * NET_SIZE, 3, skip=3).reshape(NET_SIZE, NET_SIZE, 3)
-    return Document(
+    document = Document(
         control_points=net,
         row_knots=_row_knots(sheet),
         column_knots=_column_knots(sheet),
         formulation=record.get("formulation", Formulation.PUBLISHED),
         samples=_samples(sheet, record),
     )
+    return _to_the_last_bit(document, record)
+
+
+def _to_the_last_bit(document: Document, record: dict[str, Any]) -> Document:
+    """Return the recorded document where it is the one in the cells; what someone has edited there counts."""
+    try:
+        recorded = document_from_json(str(record[layout.RECORD_OF_DOCUMENT]))
+    except (KeyError, DocumentError, ValueError):
+        return document
+    pairs = (
+        (recorded.control_points, document.control_points),
+        (knot_array(recorded.row_knots), knot_array(document.row_knots)),
+        (knot_array(recorded.column_knots), knot_array(document.column_knots)),
+    )
+    is_same = (recorded.formulation, recorded.samples) == (document.formulation, document.samples) and all(
+        np.allclose(cells, exact, rtol=layout.CELL_ROUNDING, atol=0) for exact, cells in pairs
+    )
+    return recorded if is_same else document
 
 
 def _row_knots(sheet: _Sheet) -> tuple[Knots, ...]:

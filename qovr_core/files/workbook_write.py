@@ -15,9 +15,10 @@ from qovr_core.errors import FileError
 from qovr_core.files import published_layout as layout
 from qovr_core.files.atomic import replacing, unwritable
 from qovr_core.files.progress import Progress
+from qovr_core.files.provenance import PROGRAM
+from qovr_core.files.qovr_document import document_to_json
 from qovr_core.knots import knot_array
 from qovr_core.pipeline import Surface
-from qovr_core.version import VERSION
 
 _ROWS_A_REPORT = 1024
 
@@ -63,7 +64,7 @@ def _write(surface: Surface, draft: Path, scratch: Path, progress: Progress) -> 
     import xlsxwriter
 
     book = xlsxwriter.Workbook(str(draft), {"constant_memory": True, "tmpdir": str(scratch)})
-    book.set_properties({"title": "QOVR surface", "comments": f"Made by QOVR Studio {VERSION}"})
+    book.set_properties({"title": "QOVR surface", "comments": f"Made by {PROGRAM}"})
     sheet = book.add_worksheet("QOVR surface")
     count = len(surface.u) * len(surface.v)
     for row, cells in enumerate(_rows(surface), start=layout.TITLE_ROW - 1):
@@ -82,10 +83,11 @@ def _write(surface: Surface, draft: Path, scratch: Path, progress: Progress) -> 
 def _record(document: Document) -> list[tuple[str, Any]]:
     n, m = document.samples
     return [
-        ("program", f"QOVR Studio {VERSION}"),
+        ("program", PROGRAM),
         ("formulation", str(document.formulation)),
         ("samples_u", n),
         ("samples_v", m),
+        (layout.RECORD_OF_DOCUMENT, document_to_json(document)),
     ]
 
 

@@ -1,16 +1,21 @@
 uniform sampler2D u_colours;
+#ifdef FACETS
+uniform highp sampler2D u_samples;
+uniform vec4 u_facets;
+uniform vec2 u_heights;
+#endif
 uniform vec2 u_cells;
-uniform vec2 u_fine;
-uniform vec2 u_coarse;
+uniform vec4 u_fine;
+uniform vec4 u_coarse;
 uniform vec4 u_line;
 uniform float u_line_width;
-uniform float u_pixel_ratio;
+uniform float u_logical;
 
-HEIGHT_SHADING in float v_height;
+in float v_height;
 #ifdef LIGHT
 in vec3 v_normal;
 #endif
-#ifdef LINES
+#ifdef CELLS
 in vec2 v_cell;
 #endif
 
@@ -23,18 +28,20 @@ const vec3 KEY_LIGHT = vec3(-0.36, 0.48, 0.80);
 const vec3 GLOSS = vec3(-0.18974, 0.25298, 0.94868);
 
 #ifdef LINES
-// Coverage of lines every `period` cells; where they come closer than some pixels they fade into the surface.
-vec2 lines(vec2 period, vec2 pixels_per_cell, float closest, float widest) {
-    vec2 spacing = period * pixels_per_cell;
-    vec2 pixels = abs(fract(v_cell / period - 0.5) - 0.5) * spacing;
+// Coverage of lines every `period.xy` cells, whose inverses are `period.zw`; where they come closer than some pixels
+// they fade into the surface.
+vec2 lines(vec4 period, vec2 pixels_per_cell, vec2 fading) {
+    vec2 spacing = period.xy * pixels_per_cell;
+    vec2 pixels = abs(fract(v_cell * period.zw - 0.5) - 0.5) * spacing;
     vec2 cover = clamp(0.5 * u_line_width + 0.5 - pixels, 0.0, 1.0);
-    return cover * clamp((spacing / u_pixel_ratio - closest) / (widest - closest), 0.0, 1.0);
+    return cover * clamp(spacing * fading.x - fading.y, 0.0, 1.0);
 }
 
 float line_cover() {
     vec2 pixels_per_cell = 1.0 / max(fwidth(v_cell), vec2(1e-6));
-    vec2 coarse = lines(u_coarse, pixels_per_cell, 2.0, 4.0);
-    vec2 fine = lines(u_fine, pixels_per_cell, 3.0, 8.0);
+    // From 2 to 4 logical pixels apart coarse lines appear, from 3 to 8 fine ones.
+    vec2 coarse = lines(u_coarse, pixels_per_cell, vec2(0.5 * u_logical, 1.0));
+    vec2 fine = lines(u_fine, pixels_per_cell, vec2(0.2 * u_logical, 0.6));
     // Of a line along the border only half lies on the surface: there it has its whole width inside.
     vec2 border = clamp(u_line_width + 0.5 - min(v_cell, u_cells - v_cell) * pixels_per_cell, 0.0, 1.0);
     vec2 cover = max(border, max(coarse, 0.6 * fine));
@@ -53,12 +60,19 @@ vec3 lit(vec3 colour) {
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    return colour * (0.40 + 0.52 * key + 0.14 * normal.z) + 0.10 * shine;
+    return colour * (0.52 + 0.44 * key + 0.10 * normal.z) + 0.08 * shine;
 }
 #endif
 
 void main() {
-    vec3 colour = texture(u_colours, vec2(clamp(v_height, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
+#ifdef FACETS
+    // The height of the cell's first corner, as MATLAB's surf takes it; u runs along the rows of the texture.
+    vec2 cell = clamp(floor(v_cell * u_facets.zw), vec2(0.0), u_facets.xy);
+    float height = texelFetch(u_samples, ivec2(cell.yx), 0).r * u_heights.x + u_heights.y;
+#else
+    float height = v_height;
+#endif
+    vec3 colour = texture(u_colours, vec2(clamp(height, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
 #ifdef POINTS
     vec2 from_middle = 2.0 * gl_PointCoord - 1.0;
     if (dot(from_middle, from_middle) > 1.0) discard;

@@ -9,16 +9,16 @@ uniform float u_point_size;
 in vec3 a_position;
 in vec3 a_normal;
 
-HEIGHT_SHADING out float v_height;
+out float v_height;
 #ifdef LIGHT
 out vec3 v_normal;
 #endif
-#ifdef LINES
+#ifdef CELLS
 out vec2 v_cell;
 #endif
 
 void main() {
-#ifdef LINES
+#ifdef CELLS
     // In floats, which hold every index of a display grid and divide faster than integers.
     float row = floor((float(gl_VertexID) + 0.5) / u_counts.y);
     v_cell = vec2(row, float(gl_VertexID) - row * u_counts.y) / (u_counts - 1.0) * u_cells;

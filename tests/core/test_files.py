@@ -165,6 +165,7 @@ def test_npz_holds_every_array_under_its_name(tmp_path):
             "raw_box": (3, 2),
             "matrix": (4, 4),
             "formulation": (),
+            "program": (),
         }
         for name in ("u", "v", "raw", "transformed", "control_box", "raw_box", "matrix"):
             assert np.array_equal(arrays[name], getattr(surface, name))
@@ -234,7 +235,7 @@ def test_of_two_files_none_appears_where_one_fails(tmp_path):
 
 @pytest.mark.parametrize("name", ["a", "a.txt", "a.XLS"])
 def test_unknown_suffixes(name, tmp_path):
-    with pytest.raises(SourceError, match=r"expected one of \.xlsx, \.csv, \.npz, \.qovr"):
+    with pytest.raises(SourceError, match=r"expected one of \.xlsx, \.csv, \.npz, \.mat, \.step, .*\.glb, \.qovr"):
         format_for(tmp_path / name)
     with pytest.raises(SourceError, match="is no source"):
         read_source(str(tmp_path / name))

@@ -1,0 +1,126 @@
+"""Writing ``.iges`` (IGES 5.3): the exact surface as one rational B-spline surface, entity 128."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+
+from qovr_core.arrays import Array
+from qovr_core.files import bspline, step
+from qovr_core.files.atomic import replacing
+from qovr_core.files.options import DEFAULTS, ExportOptions
+from qovr_core.files.progress import Progress
+from qovr_core.files.provenance import PROGRAM, origin, timestamp
+from qovr_core.files.qovr_document import document_to_json
+from qovr_core.pipeline import Surface
+
+ENTITY = 128
+MILLIMETRES = 2
+IGES_5_3 = 11
+
+_TEXT_COLUMNS = 72
+_PARAMETER_COLUMNS = 64
+"""Columns 65 to 72 of a parameter line point to its directory entry."""
+
+_LABEL = "QOVR"
+
+
+def write_iges(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+    """Write the exact surface, one entity of its true degree, in millimetres.
+
+    Raises
+    ------
+    FileError : the surface has no area, or the file cannot be written
+    """
+    patch = options.chosen_patch(surface)
+    bspline.check_area(patch, path)
+    progress(0.0)
+    points = bspline.control_points(patch)
+    text = _file(_start(surface, options), _global_fields(points, path), _parameters(points))
+    with replacing(path) as (draft,):
+        draft.write_text(text, encoding="ascii", newline="\n")
+        progress(1.0)
+
+
+def real(value: float) -> str:
+    """Return the shortest decimal that reads back as the number, as IGES spells double precision: ``1.D-5``."""
+    return step.real(value).replace("E", "D")
+
+
+def hollerith(text: str) -> str:
+    """Return a text as an IGES string constant; a character that IGES lacks becomes a question mark."""
+    plain = re.sub(r"[^ -~]", "?", text)
+    return f"{len(plain)}H{plain}" if plain else ""
+
+
+def _start(surface: Surface, options: ExportOptions) -> list[str]:
+    """Return the lines for people: the origin, and the document's text cut into columns."""
+    text = " ".join(document_to_json(surface.document).split())
+    document = [text[k : k + _TEXT_COLUMNS] for k in range(0, len(text), _TEXT_COLUMNS)]
+    return [origin(surface, options)[:_TEXT_COLUMNS], "The document:", *document]
+
+
+def _global_fields(points: Array, path: Path) -> list[str]:
+    made = hollerith(timestamp().strftime("%Y%m%d.%H%M%S"))
+    names = [hollerith(text) for text in (path.stem, path.name, PROGRAM, PROGRAM)]
+    precision = ["32", "38", "6", "308", "15"]  # bits of an integer, then exponents and digits of both reals
+    largest = real(float(np.abs(points).max()))
+    return [
+        *("1H,", "1H;", *names, *precision, hollerith(path.stem)),
+        *("1.0", str(MILLIMETRES), "2HMM", "1", "0.0", made, real(step.uncertainty(points)), largest),
+        *("", "", str(IGES_5_3), "0", made),
+    ]
+
+
+def _parameters(points: Array) -> list[str]:
+    """Return the fields of entity 128; here u runs fastest through the control points."""
+    p, q = (count - 1 for count in points.shape[:2])
+    edges = bspline.outline(points, step.uncertainty(points))
+    knots = [real(knot) for degree in (p, q) for knot in (0.0, 1.0) for _ in range(degree + 1)]
+    is_polynomial, is_periodic = "1", "0"
+    flags = [str(int(edges.closed_u)), str(int(edges.closed_v)), is_polynomial, is_periodic, is_periodic]
+    weights = ["1.0"] * ((p + 1) * (q + 1))
+    coordinates = [real(x) for x in points.transpose(1, 0, 2).ravel().tolist()]
+    domain = ["0.0", "1.0", "0.0", "1.0"]
+    sizes = [str(number) for number in (ENTITY, p, q, p, q)]
+    return [*sizes, *flags, *knots, *weights, *coordinates, *domain]
+
+
+def _wrapped(fields: list[str], columns: int) -> Iterator[str]:
+    """Yield lines of delimited fields; a number stays on its line, a string may go on in the next."""
+    line = ""
+    for k, field in enumerate(fields):
+        text = field + (";" if k == len(fields) - 1 else ",")
+        if "H" not in text and len(line) + len(text) > columns:
+            yield line
+            line = ""
+        line += text
+        while len(line) > columns:
+            yield line[:columns]
+            line = line[columns:]
+    yield line
+
+
+def _file(start: list[str], global_fields: list[str], parameters: list[str]) -> str:
+    fields = list(_wrapped(parameters, _PARAMETER_COLUMNS))
+    entry = 1
+    directory = [
+        "".join(f"{value:>8}" for value in (ENTITY, 1, 0, 0, 0, 0, 0, 0, "00000000")),
+        "".join(f"{value:>8}" for value in (ENTITY, 0, 0, len(fields), 0, "", "", _LABEL, 0)),
+    ]
+    sections = {
+        "S": start,
+        "G": list(_wrapped(global_fields, _TEXT_COLUMNS)),
+        "D": directory,
+        "P": [f"{line:<{_PARAMETER_COLUMNS}}{entry:>8}" for line in fields],
+    }
+    counts = "".join(f"{letter}{len(lines):>7}" for letter, lines in sections.items())
+    sections["T"] = [counts]
+    return "".join(
+        f"{line:<{_TEXT_COLUMNS}}{letter}{number:>7}\n"
+        for letter, lines in sections.items()
+        for number, line in enumerate(lines, 1)
+    )

@@ -1,0 +1,52 @@
+"""``.mat`` (MATLAB 5): the arrays of ``.npz`` under the same names, and the document read back from them."""
+
+from __future__ import annotations
+
+import warnings
+from pathlib import Path
+
+from qovr_core.document import Document
+from qovr_core.errors import FileError
+from qovr_core.files.array_document import INPUTS, document_from_arrays
+from qovr_core.files.atomic import replacing
+from qovr_core.files.npz_arrays import surface_arrays
+from qovr_core.files.progress import Progress
+from qovr_core.pipeline import Surface
+
+
+def write_mat(surface: Surface, path: Path, progress: Progress) -> None:
+    """Write all arrays of a surface, whole or not at all; ``u`` and ``v`` are columns, texts are char rows.
+
+    Raises
+    ------
+    FileError : the file cannot be written
+    """
+    from scipy.io import savemat
+
+    arrays = surface_arrays(surface)
+    with replacing(path) as (draft,), draft.open("wb") as file:
+        for done, (name, array) in enumerate(arrays.items(), 1):
+            savemat(file, {name: array}, oned_as="column")
+            progress(done / len(arrays))
+
+
+def read_mat(path: Path) -> Document:
+    """Return the document whose inputs a ``.mat`` file of this program holds, to the last bit.
+
+    Raises
+    ------
+    FileError : the file cannot be read, is no MATLAB 5 file, or an array holds anything but what belongs there
+    """
+    from scipy.io import loadmat
+
+    try:
+        with path.open("rb") as file, warnings.catch_warnings(action="error"):
+            arrays = loadmat(file, variable_names=INPUTS)
+    except OSError as error:
+        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
+    except NotImplementedError as error:
+        raise FileError(f"{path}: is a MATLAB 7.3 file; expected one saved as -v7 or older") from error
+    except Exception as error:  # a damaged file fails in as many ways as there are decoders
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise FileError(f"{path}: is no whole MATLAB file: {reason}") from error
+    return document_from_arrays(arrays, path)

@@ -1,0 +1,189 @@
+"""The triangle mesh of a surface: shared vertices, exact normals, one winding."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.arrays import Array
+from qovr_core.errors import EvaluationError, FileError
+from qovr_core.files import bspline, tessellation
+from qovr_core.files.options import ExportOptions
+from qovr_core.files.progress import Progress
+from qovr_core.patch import Edge, Patch
+from qovr_core.pipeline import Surface, parameters
+
+Indices = npt.NDArray[np.int32]
+
+BLOCK = 1 << 16
+"""Vertices or faces handled at a time: small beside the mesh, large beside the cost of a call."""
+
+MESHED = 0.5
+"""Part of the work that is done when the mesh stands and its writing begins."""
+
+FLOAT32_ROUNDING = 2.0**-24 * np.sqrt(3.0)
+"""How far rounding to 32 bits moves a point, as a part of its largest coordinate."""
+
+_WELDED = 1e-12
+"""Edges closer than this part of the surface's size are the same points, moved by rounding."""
+
+_SAME_NORMAL = 1e-6
+"""Normals closer than this are shared where vertices are; those of a crease differ by far more."""
+
+
+@dataclass(frozen=True, eq=False)
+class Mesh:
+    """Triangles over shared points, counterclockwise seen from the tip of their normals.
+
+    Parameters
+    ----------
+    points : (k, 3) float64, every place once
+    faces : (f, 3) indices of points
+    normals : (l, 3) float64 unit normals; more than points where the surface meets itself in a crease or a tip
+    corners : (f, 3) indices of normals
+    places : (l,) the point that each normal stands on
+    deviation : largest measured distance from the surface where a tolerance was asked for
+    """
+
+    points: Array
+    faces: Indices
+    normals: Array
+    corners: Indices
+    places: npt.NDArray[np.intp]
+    deviation: float | None
+
+    @property
+    def vertices(self) -> Array:
+        """The points of all normals, (l, 3), for formats whose vertices have one normal each."""
+        return self.points if len(self.points) == len(self.normals) else self.points[self.places]
+
+
+def build_mesh(surface: Surface, options: ExportOptions, path: Path, progress: Progress, rounding: float = 0.0) -> Mesh:
+    """Return the mesh of the chosen layer: on the document's samples, or as fine as the tolerance demands.
+
+    Parameters
+    ----------
+    path : the file it is for, for the texts of errors
+    rounding : distance by which the format itself moves a point; the tolerance includes it
+
+    Raises
+    ------
+    FileError : the surface has no area, or the tolerance is finer than the format or the largest grid
+    """
+    patch = options.chosen_patch(surface)
+    bspline.check_area(patch, path)
+    progress(0.0)
+    u, v, points = surface.u, surface.v, options.chosen_samples(surface)
+    measured = None
+    if options.tolerance is not None:
+        u, v = _fine_grid(patch, options.tolerance, rounding, path)
+        points = patch.points(u, v)
+        measured = tessellation.deviation(patch, points) + rounding
+    normals = _normals(patch, u, v, progress)
+    mesh = _welded(patch, points, normals, measured)
+    progress(MESHED)
+    return mesh
+
+
+def blocks(count: int) -> Iterable[slice]:
+    """Return slices that cover ``count`` entries."""
+    return [slice(k, min(k + BLOCK, count)) for k in range(0, count, BLOCK)]
+
+
+def float32_rounding(surface: Surface, options: ExportOptions, reach: float) -> float:
+    """Return how far 32-bit coordinates of at most ``reach`` times the surface's size move a point."""
+    coefficients = options.chosen_patch(surface).coefficients
+    return float(FLOAT32_ROUNDING) * reach * bspline.diagonal(coefficients)
+
+
+def _fine_grid(patch: Patch, tolerance: float, rounding: float, path: Path) -> tuple[Array, Array]:
+    if tolerance <= 2 * rounding:
+        raise FileError(
+            f"{path}: a tolerance of {tolerance:g} is lost in 32-bit coordinates; expected at least {4 * rounding:.2g}"
+        )
+    try:
+        n, m = tessellation.samples_within(patch, tolerance - rounding)
+    except EvaluationError as error:
+        raise FileError(f"{path}: {error}") from error
+    return parameters(n), parameters(m)
+
+
+def _normals(patch: Patch, u: Array, v: Array, progress: Progress) -> Array:
+    normals = np.empty((len(u), len(v), 3))
+    step = max(1, BLOCK // len(v))
+    for start in range(0, len(u), step):
+        rows = slice(start, start + step)
+        normals[rows] = patch.normals(u[rows], v)
+        progress(MESHED * min(start + step, len(u)) / len(u))
+    return normals
+
+
+def _welded(patch: Patch, points: Array, normals: Array, measured: float | None) -> Mesh:
+    """Make one vertex of grid points that are the same place, and drop triangles that have no area by it."""
+    edges = bspline.outline(patch.coefficients, _WELDED * bspline.diagonal(patch.coefficients))
+    shape = points.shape[:2]
+    groups = _groups(edges, shape)
+    place = _joined(shape, groups)
+    alike = [group for group in groups if _agree(normals, group)]
+    corner = place if len(alike) == len(groups) else _joined(shape, alike)
+    faces, kept = _triangles(place)
+    corners = faces if corner is place else _triangles(corner)[0][kept]
+    faces = faces[kept]
+    if not groups:
+        every = np.arange(place.size)
+        return Mesh(points.reshape(-1, 3), faces, normals.reshape(-1, 3), faces, every, measured)
+    used, faces = _compact(faces)
+    standing, corners = _compact(corners)
+    places = np.searchsorted(used, place.ravel()[standing])
+    return Mesh(points.reshape(-1, 3)[used], faces, normals.reshape(-1, 3)[standing], corners, places, measured)
+
+
+def _groups(edges: bspline.Outline, shape: tuple[int, int]) -> list[Indices]:
+    """Return the sets of flat grid indices, each (g, ...), whose first axis is one place."""
+    grid = np.arange(shape[0] * shape[1], dtype=np.int32).reshape(shape)
+    sides = {Edge.U0: grid[0], Edge.U1: grid[-1], Edge.V0: grid[:, 0], Edge.V1: grid[:, -1]}
+    groups = [sides[edge][:, None] for edge in Edge if edge in edges.collapsed]
+    if edges.closed_u:
+        groups.append(np.stack([grid[0], grid[-1]]))
+    if edges.closed_v:
+        groups.append(np.stack([grid[:, 0], grid[:, -1]]))
+    return groups
+
+
+def _joined(shape: tuple[int, int], groups: list[Indices]) -> Indices:
+    """Return for every grid point the smallest index of those that are one place with it, (n, m)."""
+    smallest = np.arange(shape[0] * shape[1], dtype=np.int32)
+    changed = bool(groups)
+    while changed:  # groups share corners, so that joining one may lengthen another
+        before = smallest.copy()
+        for group in groups:
+            smallest[group] = smallest[group].min(axis=0)
+        changed = bool((before != smallest).any())
+    return smallest.reshape(shape)
+
+
+def _agree(normals: Array, group: Indices) -> bool:
+    there = normals.reshape(-1, 3)[group]
+    return bool(np.abs(there - there[:1]).max() <= _SAME_NORMAL)
+
+
+def _triangles(index: Indices) -> tuple[Indices, npt.NDArray[np.bool_]]:
+    """Return two triangles a cell as entries of ``index``, (f, 3), and which of them have three different ones."""
+    a, b, c, d = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
+    faces = np.empty((*a.shape, 2, 3), dtype=np.int32)
+    for triangle, corners in enumerate(((a, b, c), (a, c, d))):
+        for k, corner in enumerate(corners):
+            faces[:, :, triangle, k] = corner
+    faces = faces.reshape(-1, 3)
+    kept = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
+    return faces, kept
+
+
+def _compact(faces: Indices) -> tuple[Indices, Indices]:
+    """Return the indices in use, ascending, and the faces renumbered among them."""
+    used, inverse = np.unique(faces, return_inverse=True)
+    return used, inverse.reshape(-1, 3).astype(np.int32)

@@ -1,0 +1,55 @@
+"""What may be chosen of an export: which of the two surfaces, and how closely a mesh follows it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from qovr_core.arrays import Array
+from qovr_core.document import Document, Formulation
+from qovr_core.patch import Patch
+from qovr_core.pipeline import Surface
+
+
+class Layer(StrEnum):
+    """The two surfaces of a result: as computed, and after the transformation T."""
+
+    RAW = "raw"
+    TRANSFORMED = "transformed"
+
+
+@dataclass(frozen=True)
+class ExportOptions:
+    """Choices that only some formats know.
+
+    Parameters
+    ----------
+    layer : the surface that a format for one surface gets; None chooses by ``default_layer``
+    tolerance : largest distance between surface and mesh, in the document's unit, positive; None takes the
+        document's samples as the mesh's vertices
+    """
+
+    layer: Layer | None = None
+    tolerance: float | None = None
+
+    def chosen_layer(self, document: Document) -> Layer:
+        """Return the layer to write."""
+        return self.layer or default_layer(document)
+
+    def chosen_patch(self, surface: Surface) -> Patch:
+        """Return the exact surface to write."""
+        is_raw = self.chosen_layer(surface.document) is Layer.RAW
+        return surface.patch if is_raw else surface.transformed_patch
+
+    def chosen_samples(self, surface: Surface) -> Array:
+        """Return the samples (n, m, 3) of the surface to write."""
+        is_raw = self.chosen_layer(surface.document) is Layer.RAW
+        return surface.raw if is_raw else surface.transformed
+
+
+DEFAULTS = ExportOptions()
+
+
+def default_layer(document: Document) -> Layer:
+    """Return ``transformed``, but ``raw`` for ``interpolating``, whose raw surface is already in the net's place."""
+    return Layer.RAW if document.formulation is Formulation.INTERPOLATING else Layer.TRANSFORMED

@@ -1,0 +1,118 @@
+"""Writing and reading ``.3dm``: the exact surface, its control net, and the document as user text."""
+
+from __future__ import annotations
+
+import base64
+from pathlib import Path
+from typing import Any
+
+from qovr_core.arrays import Array
+from qovr_core.document import Document
+from qovr_core.errors import DocumentError, FileError
+from qovr_core.files import bspline
+from qovr_core.files.atomic import replacing
+from qovr_core.files.options import DEFAULTS, ExportOptions
+from qovr_core.files.progress import Progress
+from qovr_core.files.provenance import PROGRAM, origin
+from qovr_core.files.qovr_document import document_from_json, document_to_json
+from qovr_core.files.step import uncertainty
+from qovr_core.pipeline import Surface
+
+DOCUMENT_KEY = "qovr.document"
+SURFACE_LAYER, NET_LAYER, POINTS_LAYER = "Surface", "Control net", "Control points"
+
+
+def write_3dm(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+    """Write the exact surface, of its true degree and in millimetres, the net's lines and points, and the document.
+
+    Raises
+    ------
+    FileError : the surface has no area, or the file cannot be written
+    """
+    patch = options.chosen_patch(surface)
+    bspline.check_area(patch, path)
+    progress(0.0)
+    content = base64.b64decode(_model(surface, bspline.control_points(patch), options).Encode())
+    progress(0.5)
+    with replacing(path) as (draft,):
+        draft.write_bytes(content)
+        progress(1.0)
+
+
+def read_3dm(path: Path) -> Document:
+    """Return the document that this program put into a ``.3dm`` file; geometry changed since is not looked at.
+
+    Raises
+    ------
+    FileError : the file cannot be read, is no Rhino file, or holds no valid document
+    """
+    import rhino3dm
+
+    try:
+        content = path.read_bytes()
+    except OSError as error:
+        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
+    model = rhino3dm.File3dm.FromByteArray(content) if content else None
+    if model is None:
+        raise FileError(f"{path}: is no whole Rhino file (.3dm)")
+    text = model.Strings[DOCUMENT_KEY]
+    if not text:
+        raise FileError(f"{path}: has no user text '{DOCUMENT_KEY}'; expected a file that this program exported")
+    try:
+        return document_from_json(text)
+    except (DocumentError, ValueError) as error:
+        raise FileError(f"{path}: user text '{DOCUMENT_KEY}': {error}") from error
+
+
+def _model(surface: Surface, points: Array, options: ExportOptions) -> Any:
+    import rhino3dm
+
+    document = surface.document
+    model = rhino3dm.File3dm()
+    model.ApplicationName = PROGRAM
+    model.Settings.ModelUnitSystem = rhino3dm.UnitSystem.Millimeters
+    model.Settings.ModelAbsoluteTolerance = uncertainty(points)
+    layers = {name: model.Layers.AddLayer(name, colour) for name, colour in _LAYERS.items()}
+
+    def named(name: str, layer: str) -> Any:
+        attributes = rhino3dm.ObjectAttributes()
+        attributes.Name = name
+        attributes.LayerIndex = layers[layer]
+        return attributes
+
+    attributes = named("QOVR surface", SURFACE_LAYER)
+    attributes.SetUserString("qovr.origin", origin(surface, options))
+    model.Objects.AddSurface(_nurbs_surface(points), attributes)
+    net = [[rhino3dm.Point3d(*point) for point in row] for row in document.control_points.tolist()]
+    for k in range(len(net)):
+        for name, line in ((f"row {k}", net[k]), (f"column {k}", [row[k] for row in net])):
+            model.Objects.AddCurve(rhino3dm.PolylineCurve(rhino3dm.Point3dList(line)), named(name, NET_LAYER))
+    for i, row in enumerate(net):
+        for j, point in enumerate(row):
+            model.Objects.Add(rhino3dm.Point(point), named(f"P{i},{j}", POINTS_LAYER))
+    model.Strings[DOCUMENT_KEY] = document_to_json(document)
+    model.Strings["qovr.origin"] = origin(surface, options)
+    model.Strings["qovr.formulation"] = str(document.formulation)
+    return model
+
+
+_LAYERS = {
+    SURFACE_LAYER: (60, 120, 200, 255),
+    NET_LAYER: (120, 120, 120, 255),
+    POINTS_LAYER: (0, 0, 255, 255),
+}
+"""Colours as red, green, blue, alpha."""
+
+
+def _nurbs_surface(points: Array) -> Any:
+    import rhino3dm
+
+    p, q = (count - 1 for count in points.shape[:2])
+    surface = rhino3dm.NurbsSurface.Create(3, False, p + 1, q + 1, p + 1, q + 1)
+    for knots, degree in ((surface.KnotsU, p), (surface.KnotsV, q)):
+        for k in range(2 * degree):  # openNURBS leaves out the first and the last knot
+            knots[k] = float(k >= degree)
+    for i, row in enumerate(points.tolist()):
+        for j, (x, y, z) in enumerate(row):
+            surface.Points[i, j] = rhino3dm.Point4d(x, y, z, 1.0)
+    return surface

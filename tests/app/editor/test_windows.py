@@ -1,0 +1,51 @@
+"""Several windows, and windows that come and go."""
+
+import pytest
+
+from qovr_core.presets import preset
+
+
+def colourful(image):
+    """Return how many of some pixels across an image are no greys."""
+    places = [(x, y) for x in range(0, image.width(), 7) for y in range(0, image.height(), 7)]
+    colours = (image.pixelColor(x, y) for x, y in places)
+    return sum(max(c.red(), c.green(), c.blue()) - min(c.red(), c.green(), c.blue()) > 60 for c in colours) / len(
+        places
+    )
+
+
+def test_two_windows_show_two_documents_and_one_outlives_the_other(make_editor, spin):
+    first_editor, second_editor = make_editor("paper:fig5"), make_editor("paper:fig8")
+    first, second = first_editor.window, second_editor.window
+    spin(600)
+    assert first.session.document == preset("fig5").document
+    assert second.session.document == preset("fig8").document
+    first.controller.drag_point(2, 2, preset("fig5").document.control_points[2, 2] + 0.1, 1)
+    spin(300)
+    assert second.session.document == preset("fig8").document
+    assert first.view.image() != second.view.image()
+    assert min(colourful(first.view.image()), colourful(second.view.image())) > 0.1
+    first_editor.discard()
+    spin(300)
+    assert colourful(second.view.image()) > 0.1
+
+
+def test_a_window_that_is_hidden_and_shown_again_still_draws(make_editor, spin):
+    window = make_editor("paper:fig5").window
+    spin(600)
+    before = window.view.image()
+    window.hide()
+    spin(100)
+    window.show()
+    spin(600)
+    after = window.view.image()
+    assert after.size() == before.size()
+    assert colourful(after) == pytest.approx(colourful(before), abs=0.01)
+
+
+def test_a_closed_window_is_let_go(make_editor, spin):
+    editor = make_editor("paper:fig5")
+    gone = []
+    editor.window.view.destroyed.connect(lambda: gone.append(None))
+    editor.discard()
+    spin(lambda: bool(gone))

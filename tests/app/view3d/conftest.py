@@ -1,0 +1,132 @@
+"""A view on the screen, with the smallest owner that makes its intents come true."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+
+import numpy as np
+import pytest
+
+from qovr_app.view3d.settings import DisplaySettings
+from qovr_core import Document, Formulation, configure
+from qovr_core.edits import set_formulation, set_point, set_samples
+from qovr_core.presets import preset
+
+
+def _expected_pixel(view: object, point: np.ndarray, viewport: int = 0) -> tuple[float, float]:
+    """Return where a point of the document belongs in a viewport, in logical pixels, parallel projection."""
+    picture, camera = view.picture(viewport), view.camera
+    frame = picture.scene.frame
+    unit = [
+        (value - (low + high) / 2) * scale - centre
+        for value, (low, high), scale, centre in zip(point, frame.limits, frame.scale, camera.centre, strict=True)
+    ]
+    azimuth, elevation = math.radians(camera.azimuth), math.radians(camera.elevation)
+    across = -math.sin(azimuth) * unit[0] + math.cos(azimuth) * unit[1]
+    away = math.cos(azimuth) * unit[0] + math.sin(azimuth) * unit[1]
+    upward = math.cos(elevation) * unit[2] - math.sin(elevation) * away
+    width, height = view.viewports[viewport].width(), view.viewports[viewport].height()
+    pixels = min(width, height) / camera.span
+    return width / 2 + across * pixels, height / 2 - upward * pixels
+
+
+def _colour_at(image: object, x: float, y: float) -> tuple[int, int, int]:
+    """Return red, green and blue of an image at a logical pixel."""
+    ratio = image.devicePixelRatioF()
+    colour = image.pixelColor(round(x * ratio), round(y * ratio))
+    return colour.red(), colour.green(), colour.blue()
+
+
+@pytest.fixture
+def expected_pixel() -> Callable[..., tuple[float, float]]:
+    """An independent projection: trigonometry on single points, nothing of the view's matrices."""
+    return _expected_pixel
+
+
+@pytest.fixture
+def colour_at() -> Callable[..., tuple[int, int, int]]:
+    return _colour_at
+
+
+class Owner:
+    """Holds a document, moves its points as the view asks, and remembers every intent."""
+
+    def __init__(self, view: object, document: Document) -> None:
+        self.view, self.document, self.before = view, document, document
+        self.drags: list[tuple[int, int, np.ndarray, int]] = []
+        self.ends: list[tuple[str, int]] = []
+        self.selections: list[object] = []
+        self.hovers: list[object] = []
+        self.reasons: list[str] = []
+        view.point_dragged.connect(self._on_dragged)
+        view.drag_finished.connect(lambda gesture: self.ends.append(("finished", gesture)))
+        view.drag_cancelled.connect(self._on_cancelled)
+        view.point_selected.connect(self.selections.append)
+        view.point_hovered.connect(self.hovers.append)
+        view.fell_back.connect(self.reasons.append)
+        view.set_result(configure(document))
+
+    def show(self, document: Document) -> None:
+        self.document = document
+        self.view.set_result(configure(document))
+
+    def _on_dragged(self, i: int, j: int, point: np.ndarray, gesture: int) -> None:
+        self.drags.append((i, j, point, gesture))
+        self.show(set_point(self.document, i, j, point))
+
+    def _on_cancelled(self, gesture: int) -> None:
+        self.ends.append(("cancelled", gesture))
+        self.show(self.before)
+
+
+@pytest.fixture
+def document() -> Document:
+    """The paper's net under the interpolating formulation, which is not symmetric once a corner is lifted."""
+    base = set_formulation(preset("fig8").document, Formulation.INTERPOLATING)
+    return set_samples(set_point(base, 0, 4, (4.0, 0.0, 0.9)), (31, 31))
+
+
+@pytest.fixture
+def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., Owner]]:
+    """A function that shows a view of some logical size with a document and waits for its first frame."""
+    from qovr_app.view3d.view import View3D
+
+    views = []
+
+    def make(
+        document: Document, *, size: tuple[int, int] = (700, 560), at_rest: bool = True, **settings: object
+    ) -> Owner:
+        view = View3D()
+        views.append(view)
+        view.resize(*size)
+        view.set_settings(DisplaySettings(**settings))
+        owner = Owner(view, document)
+        frames: list[None] = []
+        view.frame_painted.connect(lambda: frames.append(None))
+        view.show()
+        spin(lambda: bool(frames))
+        view.set_camera("paper", animated=False)
+        if at_rest:
+            settle(view)
+        return owner
+
+    def settle(view: object) -> None:
+        """Wait until the picture is the one at rest."""
+        spin(lambda: not view.picture().moving)
+        spin(30)
+
+    make.settle = settle
+    yield make
+    for view in views:
+        view.close()
+        view.deleteLater()
+    app.processEvents()
+
+
+@pytest.fixture
+def no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Views made here have no OpenGL."""
+    from qovr_app.view3d import probe, view
+
+    monkeypatch.setattr(view, "gl_support", lambda: probe.GlSupport(usable=False, reason="switched off"))

@@ -1,0 +1,265 @@
+"""The view as a part of a window: cameras, results, fallback, two at once, closing."""
+
+import gc
+import subprocess
+import sys
+import weakref
+from pathlib import Path
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMainWindow
+
+from qovr_app.view3d.settings import DisplaySettings, Layer, Projection, Scaling
+from qovr_core import configure
+from qovr_core.edits import set_point, set_samples
+from qovr_core.presets import preset
+
+
+def wheel(viewport, at, notches):
+    position = QPointF(*at)
+    none = Qt.KeyboardModifier.NoModifier
+    event = QWheelEvent(
+        position,
+        viewport.mapToGlobal(position),
+        QPoint(),
+        QPoint(0, 120 * notches),
+        Qt.MouseButton.NoButton,
+        none,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(viewport, event)
+
+
+def test_the_camera_stays_when_the_document_changes(make_view, document):
+    owner = make_view(document, layer=Layer.RAW)
+    camera = owner.view.camera
+    owner.show(set_point(document, 2, 2, (9.0, -4.0, 7.0)))
+    assert owner.view.camera == camera
+
+
+def test_the_wheel_zooms_about_the_cursor(make_view, document, expected_pixel):
+    owner = make_view(document, layer=Layer.RAW)
+    point = document.control_points[3, 1]
+    at = expected_pixel(owner.view, point)
+    wheel(owner.view.viewports[0], at, 4)
+    assert expected_pixel(owner.view, point) == pytest.approx(at, abs=0.1)
+    assert owner.view.camera.span < 3
+
+
+def test_one_can_fly_into_the_picture(make_view, document, spin):
+    view = make_view(document, projection=Projection.PERSPECTIVE, row_curves=True, control_box=True).view
+    for k in range(60):
+        wheel(view.viewports[0], (150 + 5 * k, 250), 1)
+        spin(1)
+    make_view.settle(view)
+    assert view.camera.span < 0.01
+
+
+def test_mouse_drags_orbit_and_pan(make_view, document):
+    view = make_view(document).view
+    viewport, before = view.viewports[0], view.camera
+    QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(5, 5))
+    QTest.mouseMove(viewport, QPoint(45, 15))
+    QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(45, 15))
+    turned = view.camera
+    assert turned.azimuth < before.azimuth
+    assert turned.elevation > before.elevation
+    QTest.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(5, 5))
+    QTest.mouseMove(viewport, QPoint(25, 5))
+    QTest.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(25, 5))
+    assert view.camera.centre != turned.centre
+    assert view.camera.azimuth == turned.azimuth
+
+
+def test_keys_turn_and_zoom(make_view, document):
+    view = make_view(document).view
+    viewport, before = view.viewports[0], view.camera
+    QTest.keyClick(viewport, Qt.Key.Key_Left)
+    assert view.camera.azimuth == pytest.approx(before.azimuth - 5)
+    QTest.keyClick(viewport, Qt.Key.Key_Plus)
+    assert view.camera.span < before.span
+    QTest.keyClick(viewport, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
+    assert view.camera.centre != before.centre
+
+
+def test_a_named_view_is_reached_by_a_short_turn(make_view, document, spin):
+    view = make_view(document).view
+    view.set_camera("front")
+    spin(60)
+    assert 0 < view.camera.elevation < 64
+    spin(lambda: view.camera.elevation == 0)
+    assert view.camera.azimuth == -90
+
+
+def test_fit_shows_everything_again(make_view, document):
+    view = make_view(document).view
+    fitted = view.camera
+    wheel(view.viewports[0], (50, 60), 9)
+    view.fit(animated=False)
+    assert view.camera.span == pytest.approx(fitted.span)
+    assert view.camera.centre == pytest.approx(fitted.centre)
+
+
+def test_settings_change_projection_and_scaling(make_view, document):
+    view = make_view(document).view
+    view.set_settings(DisplaySettings(projection=Projection.PERSPECTIVE, scaling=Scaling.EQUAL))
+    assert view.camera.perspective
+    assert np.ptp(view.picture().scene.frame.scale) == 0
+
+
+def test_limits_wait_while_a_point_is_dragged(make_view, document, expected_pixel):
+    owner = make_view(document, layer=Layer.RAW)
+    viewport = owner.view.viewports[0]
+    at = QPoint(*(round(value) for value in expected_pixel(owner.view, document.control_points[0, 4])))
+    limits = owner.view.picture().scene.frame.limits
+    QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=at)
+    QTest.mouseMove(viewport, at + QPoint(0, -150))
+    assert owner.drags
+    np.testing.assert_array_equal(owner.view.picture().scene.frame.limits, limits)
+    QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=at + QPoint(0, -150))
+    assert (owner.view.picture().scene.frame.limits != limits).any()
+
+
+def test_the_grid_is_coarse_in_motion_and_fine_at_rest(make_view, document, spin):
+    owner = make_view(set_samples(document, (1001, 1001)))
+    owner.show(set_point(owner.document, 2, 2, (2.0, 2.0, 0.3)))
+    assert max(owner.view.picture().counts) <= 101
+    spin(lambda: owner.view.picture().counts == (201, 201))
+
+
+def test_the_selection_can_be_set_and_cleared(make_view, document):
+    owner = make_view(document)
+    owner.view.select(3, 4)
+    assert owner.view.picture().selected == (3, 4)
+    owner.view.select(None)
+    assert owner.view.picture().selected is None
+    assert owner.selections == []
+
+
+@pytest.mark.parametrize("where", ["upload", "shader", "overlay"])
+def test_an_error_while_painting_leads_to_the_painter(make_view, document, monkeypatch, silenced, where):
+    from qovr_app.view3d import gl_program, gl_viewport, surface_item
+
+    def fail(*args, **kwargs):
+        raise RuntimeError("the driver has had enough")
+
+    owner = make_view(document)
+    if not owner.view.uses_opengl:
+        pytest.skip("there is no OpenGL here")
+    if where == "shader":
+        monkeypatch.setattr(gl_program, "_source", lambda name: "void main() { this is no shader; }")
+        owner.view.set_settings(DisplaySettings(parameter_lines=False))
+    elif where == "upload":
+        monkeypatch.setattr(surface_item, "surface_vertices", fail)
+        owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.4)))
+    else:
+        monkeypatch.setattr(gl_viewport, "draw_overlay", fail)
+        owner.view.select(1, 1)
+    QTest.qWait(400)
+    assert len(owner.reasons) == 1
+    assert owner.reasons[0].startswith("OpenGL failed while drawing:")
+    assert not owner.view.uses_opengl
+    assert np.ptp(np.array([owner.view.image().pixelColor(x, 300).hue() for x in range(150, 450, 10)])) > 20
+    assert len(silenced) == 1
+
+
+def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, monkeypatch, silenced):
+    from qovr_app.view3d import gl_viewport
+
+    owner = make_view(document, layer=Layer.BOTH)
+
+    def fail(*args, **kwargs):
+        raise RuntimeError("lost")
+
+    monkeypatch.setattr(gl_viewport, "draw_overlay", fail)
+    owner.view.select(1, 1)
+    spin(lambda: bool(owner.reasons))
+    spin(100)
+    assert len(owner.reasons) == 1
+    assert len(owner.view.viewports) == 2
+
+
+def test_without_opengl_the_painter_says_why_once(make_view, document, no_opengl, spin):
+    owner = make_view(document, layer=Layer.BOTH)
+    spin(lambda: bool(owner.reasons))
+    assert owner.reasons == ["switched off"]
+
+
+@pytest.mark.parametrize("platform", ["offscreen", "minimal"])
+def test_platforms_without_opengl_are_known(platform):
+    code = (
+        "from qovr_app.view3d import probe; probe.set_default_format();"
+        "from PySide6.QtWidgets import QApplication; import sys; app = QApplication(['', *sys.argv[1:]]);"
+        "support = probe.gl_support(); assert not support.usable; print(support.reason)"
+    )
+    command = [sys.executable, "-c", code, "-platform", platform]
+    run = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    assert platform in run.stdout
+
+
+def test_two_views_at_once(make_view, document, colour_at):
+    first = make_view(document).view
+    second = make_view(preset("fig6c").document).view
+    for view in (first, second):
+        image = view.image()
+        hues = {image.pixelColor(x, image.height() // 2).hue() // 30 for x in range(100, image.width() - 150, 5)}
+        assert len(hues) > 3
+
+
+def test_a_floating_view_goes_on_drawing(make_view, document, spin):
+    view = make_view(document).view
+    window = QMainWindow()
+    window.resize(640, 480)
+    window.setCentralWidget(view)
+    window.show()
+    spin(300)
+    view.setParent(None)
+    view.show()
+    spin(300)
+    image = view.image()
+    hues = {image.pixelColor(x, image.height() // 2).hue() // 30 for x in range(100, image.width() - 150, 5)}
+    assert len(hues) > 3
+    window.close()
+    window.deleteLater()
+
+
+def test_closed_views_are_gone(app, document, spin):
+    from qovr_app.view3d.view import View3D
+
+    gone = []
+    for _ in range(3):
+        view = View3D()
+        view.set_result(configure(document))
+        view.show()
+        spin(60)
+        gone.append(weakref.ref(view))
+        view.close()
+        view.deleteLater()
+        del view
+        spin(20)
+    gc.collect()
+    assert [reference() for reference in gone] == [None, None, None]
+
+
+def test_many_edits_leave_nothing_behind(make_view, document, app):
+    """A drag of many edits keeps no scene, picture or buffer but the last."""
+    owner = make_view(document)
+
+    def resident():
+        gc.collect()
+        return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
+
+    if not sys.platform.startswith("linux"):
+        pytest.skip("memory is read from /proc")
+    for k in range(300):
+        owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.3 + 0.0005 * k)))
+        app.processEvents()
+        if k == 100:
+            before = resident()
+    assert resident() - before < 5e6
