@@ -13,7 +13,7 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFileDialog,
     QGridLayout,
-    QHeaderView,
+    QHBoxLayout,
     QLabel,
     QLineEdit,
     QProgressBar,
@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 )
 
 from qovr_app.dialogs.buttons import without_icons
+from qovr_app.dialogs.export_choices import ExportChoices
 from qovr_app.dialogs.export_job import ExportJob
 from qovr_core import Document, QovrError
 from qovr_core.files import FORMATS, Format
@@ -33,6 +34,7 @@ _PROGRESS_PARTS = 1000
 _WIDTH = 760
 _ROW_BEYOND_TEXT = 10
 _COLUMN_GAP = 16
+_SUFFIX_WIDTH = 64
 _FIRST_FORMAT = ".xlsx"
 
 
@@ -53,6 +55,7 @@ class ExportDialog(QDialog):
         self._document = document
         self._job: ExportJob | None = None
         self._formats = self._make_formats()
+        self._choices = ExportChoices(document, self)
         self._path = QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self, objectName="export.path")
         self._browse = QPushButton("&Browse…", self, objectName="export.browse")
         self._note = QLabel(self, objectName="export.note", wordWrap=True)
@@ -99,20 +102,20 @@ class ExportDialog(QDialog):
     def _make_formats(self) -> QTreeWidget:
         tree = QTreeWidget(self, objectName="export.format")
         tree.setAccessibleName("Format")
-        tree.setHeaderLabels(["Format", "Suffix", "Keeps"])
+        tree.setHeaderHidden(True)
+        tree.setColumnCount(2)
         tree.setRootIsDecorated(False)
         tree.setAllColumnsShowFocus(True)
-        tree.setWordWrap(True)
         for entry in FORMATS.values():
-            item = QTreeWidgetItem([entry.name, entry.suffix, entry.keeps])
+            item = QTreeWidgetItem([entry.name, entry.suffix])
             item.setData(0, Qt.ItemDataRole.UserRole, entry.suffix)
-            item.setToolTip(2, entry.keeps)
-            item.setSizeHint(2, QSize(0, tree.fontMetrics().height() + _ROW_BEYOND_TEXT))
+            item.setSizeHint(1, QSize(0, tree.fontMetrics().height() + _ROW_BEYOND_TEXT))
             tree.addTopLevelItem(item)
-        for column in range(2):
-            tree.resizeColumnToContents(column)
-            tree.setColumnWidth(column, tree.columnWidth(column) + _COLUMN_GAP)
-        tree.header().setSectionResizeMode(2, QHeaderView.ResizeMode.Stretch)
+        tree.resizeColumnToContents(0)
+        tree.setColumnWidth(0, tree.columnWidth(0) + _COLUMN_GAP)
+        tree.setFixedWidth(tree.columnWidth(0) + _SUFFIX_WIDTH)
+        tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        tree.setMinimumHeight(len(FORMATS) * (tree.fontMetrics().height() + _ROW_BEYOND_TEXT) + 2 * tree.frameWidth())
         return tree
 
     def _arrange(self) -> None:
@@ -122,8 +125,12 @@ class ExportDialog(QDialog):
         grid.addWidget(file_label, 0, 0)
         grid.addWidget(self._path, 0, 1)
         grid.addWidget(self._browse, 0, 2)
+        upper = QHBoxLayout()
+        upper.setSpacing(_COLUMN_GAP)
+        upper.addWidget(self._formats)
+        upper.addWidget(self._choices, 1, Qt.AlignmentFlag.AlignTop)
         layout = QVBoxLayout(self)
-        layout.addWidget(self._formats, 1)
+        layout.addLayout(upper, 1)
         layout.addLayout(grid)
         layout.addWidget(self._note)
         layout.addWidget(self._bar)
@@ -134,6 +141,7 @@ class ExportDialog(QDialog):
         self._formats.currentItemChanged.connect(self._on_format_chosen)
         self._formats.itemActivated.connect(lambda *_: self._run())
         self._path.textEdited.connect(self._on_path_typed)
+        self._choices.choices_changed.connect(self._describe)
         self._browse.clicked.connect(self._on_browse)
         self._buttons.accepted.connect(self._run)
         self._buttons.rejected.connect(self.reject)
@@ -159,6 +167,7 @@ class ExportDialog(QDialog):
         self._describe()
 
     def _describe(self) -> None:
+        self._choices.describe(self._entry)
         n, m = self._document.samples
         parts = [f"{n} × {m} samples, {prod(self._document.samples):,} points."]
         path = self.path
@@ -169,8 +178,9 @@ class ExportDialog(QDialog):
         self._start.setEnabled(path is not None and not refusal)
 
     def _refusal(self, path: Path | None) -> str:
-        """Return why the format cannot hold the document; empty where it can."""
+        """Return why the document cannot be written so; empty where it can."""
         try:
+            self._choices.options(self._entry)
             if path is not None:
                 self._entry.check(self._document, path)
         except QovrError as error:
@@ -189,14 +199,18 @@ class ExportDialog(QDialog):
     def _run(self) -> None:
         if self._job is not None or self.path is None:
             return
+        self._describe()
+        if not self._start.isEnabled():
+            return
+        options = self._choices.options(self._entry)
         self._set_running(True)
-        self._job = ExportJob(self._document, self._entry, self.path, self)
+        self._job = ExportJob(self._document, self._entry, self.path, options, self)
         self._job.progressed.connect(lambda part: self._bar.setValue(round(part * _PROGRESS_PARTS)))
         self._job.ended.connect(self._on_ended)
         self._job.start()
 
     def _set_running(self, is_running: bool) -> None:
-        for widget in (self._formats, self._path, self._browse, self._start):
+        for widget in (self._formats, self._choices, self._path, self._browse, self._start):
             widget.setEnabled(not is_running)
         self._cancel.setEnabled(True)
         self._bar.setValue(0)

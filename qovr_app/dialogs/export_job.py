@@ -8,6 +8,7 @@ from PySide6.QtCore import QObject, QThread, Signal
 
 from qovr_core import Document, QovrError, configure
 from qovr_core.files import Format
+from qovr_core.files.options import ExportOptions
 
 
 class _CancelledError(Exception):
@@ -26,9 +27,11 @@ class ExportJob(QThread):
     progressed = Signal(float)
     ended = Signal(object)
 
-    def __init__(self, document: Document, entry: Format, path: Path, parent: QObject | None = None) -> None:
+    def __init__(
+        self, document: Document, entry: Format, path: Path, options: ExportOptions, parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
-        self._document, self._entry, self._path = document, entry, path
+        self._document, self._entry, self._path, self._options = document, entry, path, options
 
     def cancel(self) -> None:
         """Ask the job to end as soon as it can."""
@@ -42,7 +45,7 @@ class ExportJob(QThread):
             self._entry.check(self._document, self._path)
             surface = configure(self._document)
             self._report(0.0)
-            self._entry.write(surface, self._path, self._report)
+            self._entry.write(surface, self._path, self._report, self._options)
         except _CancelledError:
             return None
         except QovrError as error:

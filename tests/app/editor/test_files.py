@@ -10,6 +10,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
+    QComboBox,
     QDialog,
     QFileDialog,
     QLabel,
@@ -122,8 +123,11 @@ def test_every_format_is_offered_with_what_it_keeps(editor, home, suffix):
     tree = dialog.findChild(QTreeWidget, "export.format")
     rows = {tree.topLevelItem(k).text(1): tree.topLevelItem(k) for k in range(tree.topLevelItemCount())}
     assert set(rows) == set(FORMATS)
-    assert rows[suffix].text(2) == FORMATS[suffix].keeps
     tree.setCurrentItem(rows[suffix])
+    assert dialog.findChild(QLabel, "export.keeps").text() == FORMATS[suffix].keeps
+    assert dialog.findChild(QLabel, "export.loses").text() == (FORMATS[suffix].loses or "nothing")
+    assert dialog.findChild(QComboBox, "export.layer").isVisible() == FORMATS[suffix].holds_one_layer
+    assert dialog.findChild(QLineEdit, "export.tolerance").isVisible() == FORMATS[suffix].is_mesh
     assert dialog.findChild(QLineEdit, "export.path").text().endswith(suffix)
     QTest.keyClick(dialog, Qt.Key.Key_Escape)
     editor.settle()
@@ -235,11 +239,34 @@ def test_what_a_format_cannot_hold_is_said_before_any_work(editor):
 
 
 def test_a_surface_that_overflows_is_no_surface(editor):
-    editor.type_into("column_knots.K_0.r", "1e-300")
-    assert editor.document.column_knots[0].r == 1e-300
+    editor.trigger("link_directions")
+    editor.type_into("column_knots.K_0.r", "1e-200")
+    assert editor.document.row_knots[4].r == 1e-200
     assert "no finite coordinates" in editor.message()
     assert not editor.find("surface.export").isEnabled()
     assert editor.find("view.stale").isVisible()
     editor.trigger("undo")
     assert editor.find("surface.export").isEnabled()
     assert editor.message() == ""
+
+
+def test_choices_of_a_mesh_are_taken_and_checked(editor, home):
+    editor.click("surface.export")
+    dialog = editor.dialog("export")
+    path, tolerance = (dialog.findChild(QLineEdit, f"export.{name}") for name in ("path", "tolerance"))
+    path.selectAll()
+    QTest.keyClicks(path, str(home / "mesh.ply"))
+    start = dialog.findChild(QAbstractButton, "export.start")
+    for typed in ("0", "-1", "x"):
+        tolerance.selectAll()
+        QTest.keyClicks(tolerance, typed)
+        assert not start.isEnabled()
+        assert "positive number" in dialog.findChild(QLabel, "export.note").text()
+    tolerance.selectAll()
+    QTest.keyClicks(tolerance, "0,01")
+    assert start.isEnabled()
+    dialog.findChild(QComboBox, "export.layer").setCurrentText("raw")
+    QTest.mouseClick(start, Qt.MouseButton.LeftButton)
+    wait_until((home / "mesh.ply").is_file)
+    wait_until(lambda: "mesh.ply" in editor.message())
+    assert (home / "mesh.ply").stat().st_size < 101 * 101 * 12

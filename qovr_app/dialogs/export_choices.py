@@ -1,0 +1,76 @@
+"""What a chosen format keeps and loses, and what may be chosen of it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
+
+from qovr_app.panels.numbers import number_text, typed_number
+from qovr_core import Document, DocumentError
+from qovr_core.files import Format
+from qovr_core.files.options import ExportOptions, Layer, default_layer
+
+
+class ExportChoices(QWidget):
+    """Describes one format, and offers the choices it knows.
+
+    Signals
+    -------
+    choices_changed : something else is chosen
+    """
+
+    choices_changed = Signal()
+
+    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._keeps = self._text("export.keeps")
+        self._loses = self._text("export.loses")
+        self._layer = QComboBox(self, objectName="export.layer")
+        self._layer.setAccessibleName("Which surface")
+        self._layer.addItems([str(layer) for layer in Layer])
+        self._layer.setCurrentText(str(default_layer(document)))
+        self._tolerance = QLineEdit(self, objectName="export.tolerance")
+        self._tolerance.setAccessibleName("Largest distance of the mesh from the surface")
+        self._tolerance.setPlaceholderText("as the document's samples")
+        self._tolerance.setToolTip(
+            "How far the mesh may be from the surface, in the document's unit. Empty: its vertices are the samples."
+        )
+        self._layer.currentTextChanged.connect(self.choices_changed)
+        self._tolerance.textChanged.connect(self.choices_changed)
+        self._form = QFormLayout(self)
+        self._form.setContentsMargins(0, 0, 0, 0)
+        self._form.addRow("Keeps", self._keeps)
+        self._form.addRow("Loses", self._loses)
+        self._form.addRow("&Surface", self._layer)
+        self._form.addRow("Mesh &within", self._tolerance)
+
+    def describe(self, entry: Format) -> None:
+        """Show a format; choices it does not know go away."""
+        self._keeps.setText(entry.keeps)
+        self._loses.setText(entry.loses or "nothing")
+        self._form.setRowVisible(self._layer, entry.holds_one_layer)
+        self._form.setRowVisible(self._tolerance, entry.is_mesh)
+
+    def options(self, entry: Format) -> ExportOptions:
+        """Return what is chosen for a format.
+
+        Raises
+        ------
+        DocumentError : the tolerance is no positive number
+        """
+        layer = Layer(self._layer.currentText()) if entry.holds_one_layer else None
+        return ExportOptions(layer, self._typed_tolerance() if entry.is_mesh else None)
+
+    def _typed_tolerance(self) -> float | None:
+        typed = typed_number(self._tolerance.text())
+        if typed is None:
+            return None
+        if not isinstance(typed, float) or not 0 < typed < float("inf"):
+            found = number_text(typed) if isinstance(typed, float) else repr(typed)
+            raise DocumentError("the mesh's distance", found, "a positive number, or nothing for the samples")
+        return typed
+
+    def _text(self, name: str) -> QLabel:
+        label = QLabel(self, objectName=name, wordWrap=True)
+        label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+        return label
