@@ -147,7 +147,7 @@ def _add_info(commands: Any) -> None:
 def _export(arguments: argparse.Namespace) -> int:
     document = _changed(read_source(arguments.source), arguments)
     formats = [format_for(out) for out in arguments.outs]
-    options = ExportOptions(arguments.layer and Layer(arguments.layer), arguments.tolerance)
+    options = ExportOptions(arguments.layer, arguments.tolerance)
     if options.tolerance is not None and not any(target.is_mesh for target in formats):
         raise QovrError(f"--tolerance is for a mesh; expected an OUT that ends in {_MESHES}")
     for out, target in zip(arguments.outs, formats, strict=True):

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-import warnings
+import zlib
 from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import FileError
 from qovr_core.files.array_document import INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
+from qovr_core.files.mat_read import read_arrays
 from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.progress import Progress
 from qovr_core.pipeline import Surface
@@ -35,18 +36,16 @@ def read_mat(path: Path) -> Document:
 
     Raises
     ------
-    FileError : the file cannot be read, is no MATLAB 5 file, or an array holds anything but what belongs there
+    FileError : the file cannot be read, is no MATLAB file of version 5 to 7, or an array holds anything but what
+        belongs there
     """
-    from scipy.io import loadmat
-
     try:
-        with path.open("rb") as file, warnings.catch_warnings(action="error"):
-            arrays = loadmat(file, variable_names=INPUTS)
+        with path.open("rb") as file:
+            arrays = read_arrays(file, INPUTS)
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
     except NotImplementedError as error:
         raise FileError(f"{path}: is a MATLAB 7.3 file; expected one saved as -v7 or older") from error
-    except Exception as error:  # a damaged file fails in as many ways as there are decoders
-        reason = " ".join(str(error).split()) or type(error).__name__
-        raise FileError(f"{path}: is no whole MATLAB file: {reason}") from error
+    except (ValueError, zlib.error) as error:
+        raise FileError(f"{path}: is no whole MATLAB file: {error}") from error
     return document_from_arrays(arrays, path)

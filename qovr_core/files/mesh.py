@@ -53,7 +53,7 @@ class Mesh:
     faces: Indices
     normals: Array
     corners: Indices
-    places: npt.NDArray[np.intp]
+    places: Indices
     deviation: float | None
 
     @property
@@ -126,20 +126,18 @@ def _welded(patch: Patch, points: Array, normals: Array, measured: float | None)
     """Make one vertex of grid points that are the same place, and drop triangles that have no area by it."""
     edges = bspline.outline(patch.coefficients, _WELDED * bspline.diagonal(patch.coefficients))
     shape = points.shape[:2]
+    points, normals = points.reshape(-1, 3), normals.reshape(-1, 3)
     groups = _groups(edges, shape)
     place = _joined(shape, groups)
-    alike = [group for group in groups if _agree(normals, group)]
-    corner = place if len(alike) == len(groups) else _joined(shape, alike)
-    faces, kept = _triangles(place)
-    corners = faces if corner is place else _triangles(corner)[0][kept]
-    faces = faces[kept]
+    faces = _triangles(place)
     if not groups:
-        every = np.arange(place.size)
-        return Mesh(points.reshape(-1, 3), faces, normals.reshape(-1, 3), faces, every, measured)
-    used, faces = _compact(faces)
-    standing, corners = _compact(corners)
-    places = np.searchsorted(used, place.ravel()[standing])
-    return Mesh(points.reshape(-1, 3)[used], faces, normals.reshape(-1, 3)[standing], corners, places, measured)
+        return Mesh(points, faces, normals, faces, place.ravel(), measured)
+    corners = _triangles(_joined(shape, [group for group in groups if _agree(normals, group)]))
+    kept = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
+    used, faces = _compact(faces[kept])
+    standing, corners = _compact(corners[kept])
+    places = np.searchsorted(used, place.ravel()[standing]).astype(np.int32)
+    return Mesh(points[used], faces, normals[standing], corners, places, measured)
 
 
 def _groups(edges: bspline.Outline, shape: tuple[int, int]) -> list[Indices]:
@@ -167,20 +165,18 @@ def _joined(shape: tuple[int, int], groups: list[Indices]) -> Indices:
 
 
 def _agree(normals: Array, group: Indices) -> bool:
-    there = normals.reshape(-1, 3)[group]
+    there = normals[group]
     return bool(np.abs(there - there[:1]).max() <= _SAME_NORMAL)
 
 
-def _triangles(index: Indices) -> tuple[Indices, npt.NDArray[np.bool_]]:
-    """Return two triangles a cell as entries of ``index``, (f, 3), and which of them have three different ones."""
+def _triangles(index: Indices) -> Indices:
+    """Return two triangles a cell as entries of ``index``, (f, 3)."""
     a, b, c, d = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
     faces = np.empty((*a.shape, 2, 3), dtype=np.int32)
     for triangle, corners in enumerate(((a, b, c), (a, c, d))):
         for k, corner in enumerate(corners):
             faces[:, :, triangle, k] = corner
-    faces = faces.reshape(-1, 3)
-    kept = (faces[:, 0] != faces[:, 1]) & (faces[:, 1] != faces[:, 2]) & (faces[:, 2] != faces[:, 0])
-    return faces, kept
+    return faces.reshape(-1, 3)
 
 
 def _compact(faces: Indices) -> tuple[Indices, Indices]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -27,10 +28,20 @@ class ExportOptions:
     layer : the surface that a format for one surface gets; None chooses by ``default_layer``
     tolerance : largest distance between surface and mesh, in the document's unit, positive; None takes the
         document's samples as the mesh's vertices
+
+    Raises
+    ------
+    ValueError : there is no such layer, or the tolerance is no positive number
     """
 
     layer: Layer | None = None
     tolerance: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.layer is not None:
+            object.__setattr__(self, "layer", Layer(self.layer))
+        if self.tolerance is not None and not 0 < self.tolerance < math.inf:
+            raise ValueError(f"the tolerance is {self.tolerance}; expected a positive distance")
 
     def chosen_layer(self, document: Document) -> Layer:
         """Return the layer to write."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import base64
+import mmap
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
@@ -14,11 +15,16 @@ from qovr_core.files.atomic import replacing
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin
-from qovr_core.files.qovr_document import document_from_json, document_to_json
+from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
 from qovr_core.files.step import uncertainty
 from qovr_core.pipeline import Surface
 
 DOCUMENT_KEY = "qovr.document"
+
+_MAGIC = b"3D Geometry File Format "
+_KEY_IN_FILE = f"{DOCUMENT_KEY}\0".encode("utf-16-le")
+"""openNURBS writes a string as a count of its 16-bit characters, then these, the last one a zero."""
+
 SURFACE_LAYER, NET_LAYER, POINTS_LAYER = "Surface", "Control net", "Control points"
 
 
@@ -46,22 +52,29 @@ def read_3dm(path: Path) -> Document:
     ------
     FileError : the file cannot be read, is no Rhino file, or holds no valid document
     """
-    import rhino3dm
-
     try:
-        content = path.read_bytes()
+        with path.open("rb") as file:
+            text = _document_text(file)
+        return document_from_json(text)
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
-    model = rhino3dm.File3dm.FromByteArray(content) if content else None
-    if model is None:
-        raise FileError(f"{path}: is no whole Rhino file (.3dm)")
-    text = model.Strings[DOCUMENT_KEY]
-    if not text:
-        raise FileError(f"{path}: has no user text '{DOCUMENT_KEY}'; expected a file that this program exported")
-    try:
-        return document_from_json(text)
     except (DocumentError, ValueError) as error:
-        raise FileError(f"{path}: user text '{DOCUMENT_KEY}': {error}") from error
+        raise FileError(f"{path}: {error}") from error
+
+
+def _document_text(file: BinaryIO) -> str:
+    """Return the document's user text, found by its key: openNURBS goes astray for minutes in damaged files."""
+    if file.read(len(_MAGIC)) != _MAGIC:
+        raise ValueError("is no Rhino file (.3dm)")
+    with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+        start = content.find(_KEY_IN_FILE)
+        if start < 0:
+            raise ValueError(f"has no user text '{DOCUMENT_KEY}'; expected a file that this program exported")
+        start += len(_KEY_IN_FILE)
+        length = 2 * int.from_bytes(content[start : start + 4], "little")
+        if not 0 < length <= 2 * LARGEST_FILE:
+            raise ValueError(f"its user text '{DOCUMENT_KEY}' is {length} bytes long; expected a document")
+        return content[start + 4 : start + 4 + length].decode("utf-16-le").rstrip("\0")
 
 
 def _model(surface: Surface, points: Array, options: ExportOptions) -> Any:

@@ -19,11 +19,14 @@ import openpyxl
 import pytest
 
 from qovr_core import Formulation, configure
-from qovr_core.files import read_document, write_document
+from qovr_core.files import FORMATS, read_document, write_document
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.presets import preset, presets
 from support.command import PUBLISHED, QOVR, environment, qovr, refused
 from support.documents import random_document
+
+LARGE = [suffix for suffix in FORMATS if suffix not in (".qovr", ".step", ".iges", ".3dm")]
+"""Formats that hold points by the thousand."""
 
 DOCUMENT = json.loads(document_to_json(random_document(1)))
 
@@ -42,6 +45,28 @@ def test_export_writes_every_format_at_once(tmp_path):
     document = read_document(tmp_path / "a.qovr")
     assert document.samples == (9, 4)
     assert np.array_equal(np.load(tmp_path / "a.npz")["raw"], configure(document).raw)
+
+
+def test_every_format_in_one_call(tmp_path):
+    names = [f"a{suffix}" for suffix in FORMATS]
+    run = qovr("export", "paper:fig6b", *names, "--samples", "9x4", "--layer", "raw", cwd=tmp_path)
+    assert (run.code, run.out, run.err) == (0, "", "")
+    assert left(tmp_path) == sorted([*names, "a.inputs.json"])
+    for name in ("a.npz", "a.mat", "a.3dm", "a.xlsx"):
+        assert qovr("export", name, "b.qovr", cwd=tmp_path).code == 0
+        assert read_document(tmp_path / "b.qovr") == read_document(tmp_path / "a.qovr")
+
+
+def test_tolerance_and_layer_choose_the_mesh(tmp_path):
+    def triangles(*options):
+        assert qovr("export", "paper:fig6b", "a.stl", *options, cwd=tmp_path).code == 0
+        content = (tmp_path / "a.stl").read_bytes()
+        return content[:80].decode(), int.from_bytes(content[80:84], "little")
+
+    assert triangles() == ("QOVR Studio 0.1.0, formulation published, transformed surface".ljust(80), 20_000)
+    coarse = triangles("--tolerance", "0.1")[1]
+    assert coarse < triangles("--tolerance", "0.01")[1]
+    assert "raw surface" in triangles("--layer", "raw")[0]
 
 
 def test_export_options(tmp_path):
@@ -347,6 +372,18 @@ BAD_CALLS = [
     (["export", "paper:fig5", "a.npz", "--formulation", "tensor"], "invalid choice: 'tensor'"),
     (["export", "paper:fig5", "a.npz", "--layer", "both"], "invalid choice: 'both'"),
     (["export", "paper:fig5", "a.xlsx", "--samples", "2000"], "4,000,000 points; expected at most 1,048,572"),
+    (
+        ["export", "paper:fig5", "a.npz", "a.step", "--tolerance", "0.1"],
+        "expected an OUT that ends in .obj, .stl, .ply",
+    ),
+    (["export", "paper:fig5", "a.stl", "--tolerance", "0"], "'0' is no tolerance; expected a positive distance"),
+    (["export", "paper:fig5", "a.stl", "--tolerance", "nan"], "'nan' is no tolerance"),
+    (["export", "paper:fig5", "a.stl", "--tolerance", "fine"], "'fine' is no tolerance"),
+    (
+        ["export", "paper:fig5", "a.ply", "--tolerance", "1e-12"],
+        "a.ply: a tolerance of 1e-12 needs more than 4096 x 4096",
+    ),
+    (["export", "paper:fig5", "a.stl", "--tolerance", "1e-12"], "a.stl: a tolerance of 1e-12 is lost in 32-bit"),
     (["figures", "out", "--only", "fig9"], "there is no figure 'fig9'; expected one of fig5a, fig5b"),
     (["figures", "out", "--formats", "gif"], "there is no figure format 'gif'; expected any of png, svg, pdf"),
     (["figures", "out", "--dpi", "9"], "'9' is no resolution"),
@@ -391,7 +428,7 @@ def test_a_folder_that_may_not_be_written(tmp_path):
 
 
 @pytest.mark.skipif(not Path("/proc/self").is_dir(), reason="needs a folder that nobody may write")
-@pytest.mark.parametrize("name", ["a.xlsx", "a.csv", "a.npz", "a.qovr"])
+@pytest.mark.parametrize("name", [f"a{suffix}" for suffix in FORMATS])
 def test_a_folder_that_nobody_may_write(name):
     assert "cannot be written: " in refused(qovr("export", "paper:fig5", f"/proc/self/{name}"))
 
@@ -404,7 +441,7 @@ def small_files():
     resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
 
 
-@pytest.mark.parametrize("name", ["a.xlsx", "a.csv", "a.npz"])
+@pytest.mark.parametrize("name", [f"a{suffix}" for suffix in LARGE])
 def test_a_write_that_fails_leaves_the_old_file(name, tmp_path):
     (tmp_path / name).write_text("precious")
     run = qovr("export", "paper:fig5", name, cwd=tmp_path, preexec_fn=small_files)
@@ -424,7 +461,7 @@ def tiny_disk(tmp_path):
     subprocess.run(["umount", str(disk)], check=True)
 
 
-@pytest.mark.parametrize("name", ["a.xlsx", "a.csv", "a.npz", "figures"])
+@pytest.mark.parametrize("name", [*(f"a{suffix}" for suffix in LARGE), "figures"])
 def test_a_disk_that_fills_up(name, tiny_disk):
     call = (
         ("figures", ".", "--only", "fig5b", "--formats", "svg") if name == "figures" else ("export", "paper:fig5", name)
@@ -434,7 +471,7 @@ def test_a_disk_that_fills_up(name, tiny_disk):
 
 
 @pytest.mark.parametrize("kind", [signal.SIGINT, signal.SIGTERM])
-@pytest.mark.parametrize("name", ["a.xlsx", "a.csv"])
+@pytest.mark.parametrize("name", ["a.xlsx", "a.csv", "a.obj"])
 def test_an_interrupted_export_leaves_nothing(name, kind, tmp_path):
     call = [QOVR, "export", "paper:fig5", name, "--samples", "1000"]
     running = subprocess.Popen(

@@ -1,0 +1,126 @@
+"""Reading arrays out of ``.mat`` files of versions 5 to 7, bounds checked.
+
+Written here because SciPy's reader ends the whole process on some damaged files.
+"""
+
+from __future__ import annotations
+
+import math
+import zlib
+from collections.abc import Container, Iterator
+from typing import Any, BinaryIO
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.files.array_document import LARGEST_INPUT
+
+_HEADER_BYTES, _TAG_BYTES = 128, 8
+_ORDERS = {b"IM": "<", b"MI": ">"}
+_MATRIX, _COMPRESSED = 14, 15
+_NUMBERS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8", 13: "u8"}
+_TEXTS = {16: "utf-8", 17: "utf-16", 18: "utf-32"}
+_CHAR_CLASS, _NUMERIC_CLASSES = 4, range(6, 16)
+_COMPLEX = 0x0800
+
+
+def read_arrays(file: BinaryIO, wanted: Container[str]) -> dict[str, npt.NDArray[Any]]:
+    """Return the arrays of some names; numbers in their shape, a char array as one text.
+
+    Raises
+    ------
+    OSError : the file cannot be read
+    NotImplementedError : a file of version 7.3, which is HDF5
+    ValueError : the file is no MATLAB file, is cut off, or a wanted array is larger than an input can be
+    """
+    header = file.read(_HEADER_BYTES)
+    order = _ORDERS.get(header[126:128])
+    if order is None:
+        raise ValueError("it does not begin with the header of a MATLAB 5 file")
+    version = int.from_bytes(header[124:126], "little" if order == "<" else "big")
+    if version != 0x0100:
+        raise NotImplementedError
+    arrays = {}
+    for content, length in _matrices(file, order):
+        fields = _Fields(content, order)
+        kind, name = fields.head()
+        if name in wanted:
+            if length > LARGEST_INPUT:
+                raise ValueError(f"{name} is {length:,} bytes long; expected at most {LARGEST_INPUT:,}")
+            arrays[name] = fields.value(kind)
+    return arrays
+
+
+def _matrices(file: BinaryIO, order: str) -> Iterator[tuple[bytes, int]]:
+    """Yield the content of every matrix, whole or at least its head, and its length."""
+    while tag := file.read(_TAG_BYTES):
+        kind, length = np.frombuffer(_whole(tag, _TAG_BYTES), f"{order}u4").tolist()
+        end = file.tell() + length
+        content = _whole(file.read(min(length, LARGEST_INPUT)), min(length, LARGEST_INPUT))
+        if kind == _COMPRESSED:
+            content = zlib.decompressobj().decompress(content, LARGEST_INPUT + _TAG_BYTES)
+            kind, length = np.frombuffer(_whole(content[:_TAG_BYTES], _TAG_BYTES), f"{order}u4").tolist()
+            content = content[_TAG_BYTES:]
+        if kind == _MATRIX:
+            yield content, length
+        file.seek(end)
+
+
+def _whole(content: bytes, length: int) -> bytes:
+    if len(content) < length:
+        raise ValueError("it is cut off")
+    return content
+
+
+class _Fields:
+    """The elements inside one matrix, in their order."""
+
+    def __init__(self, content: bytes, order: str) -> None:
+        self._content = content
+        self._order = order
+        self._place = 0
+        self._shape: list[int] = []
+
+    def head(self) -> tuple[int, str]:
+        """Read flags, shape and name; return the flags and the name."""
+        (flags, _) = self._numbers()[:2].tolist()
+        self._shape = self._numbers().tolist()
+        return int(flags), self._numbers().astype("u1").tobytes().decode("ascii", errors="replace")
+
+    def value(self, flags: int) -> npt.NDArray[Any]:
+        """Read what the head announced."""
+        matrix_class = flags & 0xFF
+        if matrix_class == _CHAR_CLASS:
+            return np.array(self._text())
+        if matrix_class not in _NUMERIC_CLASSES or flags & _COMPLEX:
+            return np.array(None)
+        numbers = self._numbers()
+        if min(self._shape) < 0 or math.prod(self._shape) != numbers.size:
+            raise ValueError(f"a matrix of shape {self._shape} holds {numbers.size} numbers")
+        return numbers.reshape(self._shape, order="F").astype(np.float64)
+
+    def _element(self) -> tuple[int, bytes]:
+        tag = _whole(self._content[self._place : self._place + _TAG_BYTES], _TAG_BYTES)
+        kind, length = np.frombuffer(tag, f"{self._order}u4").tolist()
+        if kind >> 16:  # a small element: type, length and data share the eight bytes
+            kind, length = kind & 0xFFFF, kind >> 16
+            start, self._place = self._place + 4, self._place + _TAG_BYTES
+        else:
+            start = self._place + _TAG_BYTES
+            self._place = start + length + -length % _TAG_BYTES
+        return kind, _whole(self._content[start : start + length], length)
+
+    def _numbers(self) -> npt.NDArray[Any]:
+        kind, content = self._element()
+        if kind not in _NUMBERS:
+            raise ValueError(f"an element of kind {kind} stands where numbers belong")
+        return np.frombuffer(content, self._order + _NUMBERS[kind])
+
+    def _text(self) -> str:
+        kind, content = self._element()
+        if kind in _TEXTS:
+            ends = {"<": "-le", ">": "-be"}[self._order] if kind != 16 else ""
+            return content.decode(_TEXTS[kind] + ends)
+        if kind not in _NUMBERS:
+            raise ValueError(f"an element of kind {kind} stands where text belongs")
+        return "".join(map(chr, np.frombuffer(content, self._order + _NUMBERS[kind]).tolist()))
