@@ -63,7 +63,7 @@ def typed_block(text: str) -> list[list[float]]:
 
     Raises
     ------
-    DocumentError : a cell holds no number, or the rows are of different lengths; it names the cell
+    DocumentError : there is no cell, a cell holds no number, or the rows are of different lengths; it names the place
     """
     rows = []
     for r, line in enumerate(text.strip("\r\n").splitlines(), start=1):
@@ -77,4 +77,6 @@ def typed_block(text: str) -> list[list[float]]:
                 f"row {r} of what is pasted", f"{len(cells)} cells long", f"{len(rows[0])} cells, as the rows above"
             )
         rows.append(cells)
+    if not rows:
+        raise DocumentError("what is pasted", "empty", "a block of numbers")
     return rows

@@ -262,6 +262,14 @@ def test_a_block_that_does_not_fit_pastes_nothing(editor, text):
     assert editor.disagreements() == []
 
 
+@pytest.mark.parametrize("text", ["", "\n", "\n\n", "word"])
+def test_pasting_what_is_no_block_says_so(editor, text):
+    QApplication.clipboard().setText(text)
+    editor.trigger("paste_zone")
+    assert editor.document == FIG5
+    assert editor.message().startswith("Nothing was pasted")
+
+
 def test_a_table_of_knots_is_pasted_as_it_stands(editor):
     rows = [[0.1 + 0.01 * (4 * r + c) for c in range(4)] for r in range(5)]
     editor.field("row_knots.C_0.t").setFocus()

@@ -16,7 +16,7 @@ NUMBERS = ["0.5", "0,25", "0.875", "1", "0", "-3", "12.5", "1e-3", "1e300", "", 
 COMMANDS = [
     *("undo", "redo") * 6,
     *("live", "link_curves", "link_directions", "configure", "get_values", "set_values"),
-    *("copy_zone", "copy_plane", "paste_zone"),
+    *("copy_zone", "copy_plane", "paste_zone", "paste_zone"),
     *("layer_raw", "layer_transformed", "style_smooth", "style_facets", "scaling_equal", "scaling_each"),
     *("preset_fig5", "preset_fig6c", "preset_fig8", "camera_top", "camera_paper", "fit"),
     *("go_row_knots", "go_view", "go_surface"),
