@@ -5,22 +5,21 @@ Written here because mesh libraries round to a fixed number of decimals.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TextIO
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.arrays import Array
 from qovr_core.files.atomic import replacing
-from qovr_core.files.mesh import MESHED, blocks, build_mesh
+from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import mesh_comments
 from qovr_core.pipeline import Surface
 
-_NORMAL_DIGITS = 9
+_NORMAL = f"vn{3 * ' %.9g'}\n"
 """Every 32-bit number reads back as itself from 9 digits; a direction needs no more."""
 
 
@@ -32,27 +31,26 @@ def write_obj(surface: Surface, path: Path, progress: Progress, options: ExportO
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
     mesh = build_mesh(surface, options, path, progress)
-    indices = np.stack([mesh.faces, mesh.corners], axis=-1).reshape(-1, 6)
-    total = len(mesh.points) + len(mesh.normals) + len(indices)
+    total = len(mesh.points) + len(mesh.normals) + len(mesh.faces)
     done = 0
-
-    def advance(lines: int) -> None:
-        nonlocal done
-        done += lines
-        progress(MESHED + (1 - MESHED) * done / total)
-
     with replacing(path) as (draft,), draft.open("w", encoding="ascii", newline="\n") as file:
         file.writelines(f"# {line}\n" for line in mesh_comments(surface, options, mesh.deviation))
         file.write("o QOVR_surface\n")
-        _write_rows(file, "v %r %r %r\n", mesh.points, advance)
-        _write_rows(file, f"vn{3 * f' %.{_NORMAL_DIGITS}g'}\n", mesh.normals, advance)
-        _write_rows(file, "f %d//%d %d//%d %d//%d\n", indices + 1, advance)
+        for text, count in _parts(mesh):
+            file.write(text)
+            done += count
+            progress(MESHED + (1 - MESHED) * done / total)
 
 
-def _write_rows(
-    file: TextIO, pattern: str, rows: Array | npt.NDArray[np.int32], advance: Callable[[int], None]
-) -> None:
-    for part in blocks(len(rows)):
-        block = rows[part]
-        file.write(pattern * len(block) % tuple(block.ravel().tolist()))
-        advance(len(block))
+def _parts(mesh: Mesh) -> Iterator[tuple[str, int]]:
+    """Yield the text of points, normals and faces, and how many lines it is."""
+    for pattern, rows in (("v %r %r %r\n", mesh.points), (_NORMAL, mesh.normals)):
+        for part in blocks(len(rows)):
+            yield _lines(pattern, rows[part])
+    for part in blocks(len(mesh.faces)):
+        indices = np.stack([mesh.faces[part], mesh.corners[part]], axis=-1) + 1
+        yield _lines("f %d//%d %d//%d %d//%d\n", indices.reshape(-1, 6))
+
+
+def _lines(pattern: str, rows: npt.NDArray[Any]) -> tuple[str, int]:
+    return pattern * len(rows) % tuple(rows.ravel().tolist()), len(rows)

@@ -201,6 +201,25 @@ def test_a_rhino_file_holds_surface_net_points_and_document(tmp_path):
     assert read_source(str(tmp_path / "a.3dm")) == surface.document
 
 
+@pytest.mark.parametrize("name", [*COLLAPSED, *CLOSED])
+def test_special_surfaces_are_valid_in_rhino(name, tmp_path):
+    import rhino3dm
+
+    model = rhino3dm.File3dm.Read(str(export(configure(special(name)), tmp_path / "a.3dm")))
+    surface = model.Objects[0].Geometry
+    assert surface.IsValid
+    assert surface.HasBrepForm
+    singular = {"v=0": {0}, "u=0": {3}, "v=0 and v=1": {0, 2}, "sphere": {0, 2}, "balloon": {0, 1, 2, 3}}
+    south, east, north, west = range(4)
+    assert {side for side in (south, east, north, west) if surface.IsSingular(side)} == singular.get(name, set())
+    assert [surface.IsClosed(0), surface.IsClosed(1)] == {
+        "tube": [True, False],
+        "sphere": [True, False],
+        "torus": [True, True],
+        "balloon": [True, True],
+    }.get(name, [False, False])
+
+
 def test_iges_globals(tmp_path):
     surface = configured(28, 6, 4)
     fields = IgesFile(export(surface, tmp_path / "name.iges")).globals

@@ -174,12 +174,14 @@ def test_npz_holds_every_array_under_its_name(tmp_path):
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_a_cancelled_export_leaves_what_was_there(suffix, tmp_path):
+@pytest.mark.parametrize("when", [0.0, 0.6])
+def test_a_cancelled_export_leaves_what_was_there(suffix, when, tmp_path):
     class Cancelled(Exception):
         pass
 
-    def cancel(_part):
-        raise Cancelled
+    def cancel(part):
+        if part >= when:
+            raise Cancelled
 
     path = tmp_path / f"a{suffix}"
     path.write_text("precious")

@@ -1,6 +1,9 @@
 """STEP and IGES as the kernel that most CAD programs share reads them: one valid face, exact, of the right area."""
 
+import subprocess
+import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -8,11 +11,13 @@ import pytest
 from qovr_core import configure
 from qovr_core.files import format_for
 from qovr_core.files.progress import silent
+from qovr_core.presets import preset
 from support.shapes import CLOSED, COLLAPSED, at_random, of_degree, special
 
 pytestmark = pytest.mark.slow
 pytest.importorskip("OCP", reason="OpenCASCADE is not installed: pip install --group cad")
 
+ROOT = Path(__file__).resolve().parents[2]
 DEGREES = ((4, 4), (4, 6), (6, 4), (6, 6))
 SIZES = (1e-3, 1.0, 1e5)
 EXACT = 1e-12
@@ -92,3 +97,21 @@ def test_one_valid_face_of_its_degree(suffix, degree, size, tmp_path):
 @pytest.mark.parametrize("size", SIZES)
 def test_collapsed_and_closed_edges(suffix, name, size, tmp_path):
     check(special(name, size=size), tmp_path / f"a{suffix}", (6, 6))
+
+
+def test_a_picture_of_the_step_file_by_another_program(tmp_path):
+    """It stays in the tests' output, build/exported_step.png, to be looked at."""
+    from matplotlib.image import imread
+
+    pytest.importorskip("vtkmodules", reason="VTK is not installed")
+    step, picture = tmp_path / "fig8.step", ROOT / "build" / "exported_step.png"
+    picture.parent.mkdir(exist_ok=True)
+    format_for(step).write(configure(preset("fig8").document), step, silent)
+    script = [sys.executable, str(ROOT / "tests/support/vtk_picture.py"), str(step), str(picture)]
+    done = subprocess.run(script, capture_output=True, text=True, check=False, timeout=120)
+    if done.returncode != 0:
+        pytest.skip(f"VTK cannot draw here: {done.stderr[-200:]}")
+    drawn = imread(picture)
+    covered = (drawn[..., :3] < 0.98).any(axis=-1)
+    assert 0.1 < covered.mean() < 0.9
+    assert np.unique((drawn[covered][:, :3] * 8).astype(int), axis=0).shape[0] > 20
