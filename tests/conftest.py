@@ -65,6 +65,7 @@ def app(display: None, qt_messages: list[str]) -> Iterator[object]:
     application.setQuitOnLastWindowClosed(False)
     yield application
     qInstallMessageHandler(None)
+    application.shutdown()  # while its display still is there
 
 
 @pytest.fixture

@@ -42,7 +42,7 @@ class Bench:
         self.controller.result_changed.connect(self.view.set_result)
         self.view.resize(*SIZE)
         self.view.show()
-        self.controller.compute()
+        self.controller.configure()
         self.settle()
 
     def _count(self):
