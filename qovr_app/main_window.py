@@ -20,11 +20,12 @@ from qovr_app.preferences import Preferences
 from qovr_app.recovery import Keeper, RecoveryStore
 from qovr_app.session import Session
 from qovr_app.status import MessageLine
-from qovr_app.view3d.settings import DisplaySettings
+from qovr_app.view3d.settings import DisplaySettings, Layer
 from qovr_app.view_commands import view_commands
 from qovr_app.window_commands import go_commands, help_commands, window_commands
 from qovr_app.workspace import Workspace
-from qovr_core import AlignedPatch
+from qovr_core import AlignedPatch, Formulation
+from qovr_core.files.options import default_layer
 from qovr_core.files.sources import READERS
 from qovr_core.presets import figure_cases
 
@@ -168,9 +169,18 @@ class MainWindow(QMainWindow):
             self.view.fit(animated=False)
 
     def _on_result_changed(self, result: AlignedPatch) -> None:
+        before = self._result.document.formulation if self._result else Formulation.PUBLISHED
         self._result = result
+        if result.document.formulation is not before:
+            self._show_layer_in_place()
         if self.workspace.place.view is not None:
             self.workspace.place.view.set_result(result)
+
+    def _show_layer_in_place(self) -> None:
+        """Show the layer that lies on the control net, unless both are shown."""
+        layer = default_layer(self._result.document)
+        if self._settings.layer not in (Layer.BOTH, layer):
+            self.commands[f"layer_{layer}"].trigger()
 
     def _on_state_changed(self, state: State) -> None:
         self.commands["export"].setEnabled(not state.is_stale)

@@ -89,6 +89,7 @@ class Editor:
     def choose(self, name, text):
         box = self.find(name, QComboBox)
         box.setFocus()
+        QTest.qWait(QApplication.keyboardInputInterval() + 50)  # or the letter joins the one typed before
         QTest.keyClicks(box, text[0])
         self.settle()
         assert box.currentText() == text

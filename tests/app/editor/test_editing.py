@@ -289,3 +289,14 @@ def test_numbers_can_be_selected_and_copied(editor):
     QTest.keyClick(table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     rows = np.loadtxt(QApplication.clipboard().text().splitlines())
     assert np.allclose(rows, [[0, 4, 10, 30], [0, 4, 20, 60], [0.4, 0.5, 0.88, 1.2]], atol=1e-12)
+
+
+def test_the_view_shows_the_layer_that_lies_on_the_net(editor):
+    editor.choose("surface.formulation", "interpolating")
+    assert editor.action("layer_raw").isChecked()
+    assert editor.window.view.settings.layer == "raw"
+    editor.choose("surface.formulation", "published")
+    assert editor.window.view.settings.layer == "transformed"
+    editor.trigger("layer_both")
+    editor.choose("surface.formulation", "interpolating")
+    assert editor.window.view.settings.layer == "both"
