@@ -26,12 +26,6 @@ from qovr_core.version import VERSION
 DONE, ANSWER_IS_NO, WRONG = 0, 1, 2
 _INTERRUPTED = 130
 
-LARGE_EXPORT = 100_000
-"""Points from which an export into a workbook says, on a terminal, how long and how large it will be."""
-
-_SECONDS_A_POINT = 4e-5
-_BYTES_A_POINT = 95
-
 _OF_ONE_LAYER = ", ".join(entry.suffix for entry in FORMATS.values() if entry.holds_one_layer)
 _MESHES = ", ".join(entry.suffix for entry in FORMATS.values() if entry.is_mesh)
 
@@ -153,8 +147,7 @@ def _export(arguments: argparse.Namespace) -> int:
     for out, target in zip(arguments.outs, formats, strict=True):
         target.check(document, out)
         _check_folder(out)
-        if target.suffix == ".xlsx":
-            _announce_size(document, out)
+        _announce(target.announce(document), out)
     surface = configure(document)
     for out, target in zip(arguments.outs, formats, strict=True):
         with _progress_bar(out.name) as progress:
@@ -246,11 +239,9 @@ def _check_folder(out: Path) -> None:
         raise FileError(f"{out}: cannot be written: the folder {out.parent} does not exist")
 
 
-def _announce_size(document: Document, out: Path) -> None:
-    points = math.prod(document.samples)
-    if points > LARGE_EXPORT and sys.stderr.isatty():
-        seconds, megabytes = points * _SECONDS_A_POINT, points * _BYTES_A_POINT / 1e6
-        print(f"qovr: {out}: {points:,} points will take about {seconds:.0f} s and {megabytes:.0f} MB", file=sys.stderr)
+def _announce(announcement: str, out: Path) -> None:
+    if announcement and sys.stderr.isatty():
+        print(f"qovr: {out}: {announcement}", file=sys.stderr)
 
 
 def _samples(text: str) -> tuple[int, int]:

@@ -170,6 +170,8 @@ class ExportDialog(QDialog):
         self._choices.describe(self._entry)
         n, m = self._document.samples
         parts = [f"{n} × {m} samples, {prod(self._document.samples):,} points."]
+        if announcement := self._entry.announce(self._document):
+            parts = [f"{announcement}."]
         path = self.path
         if path is not None and path.is_file():
             parts.append(f"{path.name} exists and will be replaced.")

@@ -21,7 +21,7 @@ from qovr_core.files.qovr_document import write_document
 from qovr_core.files.rhino import write_3dm
 from qovr_core.files.step import write_step
 from qovr_core.files.stl import write_stl
-from qovr_core.files.workbook_write import check_workbook_size, write_workbook
+from qovr_core.files.workbook_write import check_workbook_size, workbook_announcement, write_workbook
 from qovr_core.pipeline import Surface
 
 Writer = Callable[[Surface, Path, Progress, ExportOptions], None]
@@ -29,6 +29,11 @@ Writer = Callable[[Surface, Path, Progress, ExportOptions], None]
 
 def _any_size(_document: Document, _path: Path) -> None:
     """Accept every document."""
+
+
+def _nothing_to_say(_document: Document) -> str:
+    """Announce nothing."""
+    return ""
 
 
 def _write_document(surface: Surface, path: Path, progress: Progress) -> None:
@@ -55,6 +60,7 @@ class Format:
     check : refuses, before any work, a document that the format cannot hold
     holds_one_layer : whether ``ExportOptions.layer`` decides what is written
     is_mesh : whether ``ExportOptions.tolerance`` decides how fine
+    announce : says of a document, before the work, how long and how large it will be; empty where that is little
     """
 
     suffix: str
@@ -65,6 +71,7 @@ class Format:
     check: Callable[[Document, Path], None] = _any_size
     holds_one_layer: bool = False
     is_mesh: bool = False
+    announce: Callable[[Document], str] = _nothing_to_say
 
     def write(self, surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
         """Write a surface to a path, whole or not at all; ``progress`` rises to 1, and what it raises cancels.
@@ -92,6 +99,7 @@ _TABLE = (
         "the sixteenth digit of the points; more than 1,048,572 of them do not fit",
         _of_everything(write_workbook),
         check_workbook_size,
+        announce=workbook_announcement,
     ),
     Format(
         ".csv",

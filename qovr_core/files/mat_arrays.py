@@ -44,8 +44,6 @@ def read_mat(path: Path) -> Document:
             arrays = read_arrays(file, INPUTS)
     except OSError as error:
         raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
-    except NotImplementedError as error:
-        raise FileError(f"{path}: is a MATLAB 7.3 file; expected one saved as -v7 or older") from error
     except (ValueError, zlib.error) as error:
-        raise FileError(f"{path}: is no whole MATLAB file: {error}") from error
+        raise FileError(f"{path}: cannot be read: {error}") from error
     return document_from_arrays(arrays, path)

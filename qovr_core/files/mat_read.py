@@ -30,7 +30,6 @@ def read_arrays(file: BinaryIO, wanted: Container[str]) -> dict[str, npt.NDArray
     Raises
     ------
     OSError : the file cannot be read
-    NotImplementedError : a file of version 7.3, which is HDF5
     ValueError : the file is no MATLAB file, is cut off, or a wanted array is larger than an input can be
     """
     header = file.read(_HEADER_BYTES)
@@ -39,7 +38,7 @@ def read_arrays(file: BinaryIO, wanted: Container[str]) -> dict[str, npt.NDArray
         raise ValueError("it does not begin with the header of a MATLAB 5 file")
     version = int.from_bytes(header[124:126], "little" if order == "<" else "big")
     if version != 0x0100:
-        raise NotImplementedError
+        raise ValueError("its version is 7.3; expected one saved as -v7 or older")
     arrays = {}
     for content, length in _matrices(file, order):
         fields = _Fields(content, order)

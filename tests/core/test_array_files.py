@@ -200,7 +200,9 @@ def test_an_array_that_unpacks_to_far_too_much_is_refused_unread(tmp_path):
 def test_a_matlab_7_3_file_is_named_as_such(tmp_path):
     header = b"MATLAB 7.3 MAT-file".ljust(124) + b"\x00\x02IM"
     (tmp_path / "a.mat").write_bytes(header + b"\0" * 512)
-    with pytest.raises(FileError, match=r"a\.mat: is a MATLAB 7\.3 file; expected one saved as -v7 or older"):
+    with pytest.raises(
+        FileError, match=r"a\.mat: cannot be read: its version is 7\.3; expected one saved as -v7 or older"
+    ):
         read_source(str(tmp_path / "a.mat"))
 
 
