@@ -19,35 +19,21 @@ DOCUMENT_SUFFIX = ".qovr"
 
 
 class _Replace(QUndoCommand):
-    """One step of the history: the document before and after it.
-
-    Steps of one gesture become one step, whatever lies between its first and its last document.
-    """
+    """One step of the history: the document before and after it."""
 
     def __init__(self, session: Session, text: str, after: Document, gesture: int | None) -> None:
         super().__init__(text)
         self._session = session
-        self._before, self._after = session.document, after
+        self.before, self.after = session.document, after
         self.gesture = gesture
         self.is_cancelled = False
 
-    def id(self) -> int:
-        return -1 if self.gesture is None else 1
-
     def redo(self) -> None:
-        self._session._show(self._after)
+        self._session._show(self.after)
 
     def undo(self) -> None:
-        self._session._show(self._before)
+        self._session._show(self.before)
         self.setObsolete(self.is_cancelled)
-
-    def mergeWith(self, other: QUndoCommand) -> bool:
-        if not isinstance(other, _Replace) or other.gesture != self.gesture:
-            return False
-        self._after = other._after
-        self.setText(other.text())
-        self.setObsolete(self._after == self._before)
-        return True
 
 
 class Session(QObject):
@@ -99,15 +85,32 @@ class Session(QObject):
         text : the step's name, as "Move P 2,3"
         gesture : a number that all steps of one drag share; they become one step
         """
-        if document != self._document:
+        if document == self._document:
+            return
+        step = self._step_of(gesture)
+        if step is None:
             self.history.push(_Replace(self, text, document, gesture))
+        elif document == step.before:
+            self.cancel(gesture)
+        else:
+            # Not by Qt's merging of commands: PySide keeps what was merged for ever.
+            step.after = document
+            self._show(document)
 
     def cancel(self, gesture: int) -> None:
         """Take a gesture back as if it had never been."""
-        top = self.history.command(self.history.index() - 1)
-        if isinstance(top, _Replace) and top.gesture == gesture:
-            top.is_cancelled = True
+        step = self._step_of(gesture)
+        if step is not None:
+            step.is_cancelled = True
             self.history.undo()
+
+    def _step_of(self, gesture: int | None) -> _Replace | None:
+        """Return the last step where it is a gesture's own and can still grow; a saved one cannot."""
+        is_last = 0 < self.history.index() == self.history.count()
+        if gesture is None or not is_last or self.history.isClean():
+            return None
+        step = self.history.command(self.history.index() - 1)
+        return step if isinstance(step, _Replace) and step.gesture == gesture else None
 
     def open(self, source: str) -> None:
         """Open a ``.qovr`` file, a workbook in the published layout, or ``paper:NAME``.

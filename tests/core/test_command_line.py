@@ -470,12 +470,23 @@ def test_a_disk_that_fills_up(name, tiny_disk):
     assert left(tiny_disk) == []
 
 
+def deliver_interrupts():
+    """A shell that starts tests in the background has its children ignore Ctrl-C; a user's does not."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 @pytest.mark.parametrize("kind", [signal.SIGINT, signal.SIGTERM])
 @pytest.mark.parametrize("name", ["a.xlsx", "a.csv", "a.obj"])
 def test_an_interrupted_export_leaves_nothing(name, kind, tmp_path):
     call = [QOVR, "export", "paper:fig5", name, "--samples", "1000"]
     running = subprocess.Popen(
-        call, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        call,
+        preexec_fn=deliver_interrupts,
+        cwd=tmp_path,
+        env=environment(),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
     )
     deadline = time.monotonic() + 60
     while not left(tmp_path) and time.monotonic() < deadline:
