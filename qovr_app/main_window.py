@@ -25,8 +25,8 @@ from qovr_app.view_commands import view_commands
 from qovr_app.window_commands import go_commands, help_commands, window_commands
 from qovr_app.workspace import Workspace
 from qovr_core import AlignedPatch, Formulation
-from qovr_core.files.options import default_layer
 from qovr_core.files.sources import READERS
+from qovr_core.pipeline import default_layer
 from qovr_core.presets import figure_cases
 
 if TYPE_CHECKING:

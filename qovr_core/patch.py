@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from qovr_core import bernstein, extent, grid
 from qovr_core.arrays import Array, read_only
+from qovr_core.differential import Curvature, curvature
 
 PATCH_DEGREE = 6
 """Degree each way in which every patch is held, whatever its true degree."""
@@ -27,14 +28,6 @@ class Edge(StrEnum):
     U1 = "u=1"
     V0 = "v=0"
     V1 = "v=1"
-
-
-@dataclass(frozen=True)
-class Curvature:
-    """Gaussian and mean curvature on a grid, each (n, m) float64; NaN where the tangents are dependent."""
-
-    gaussian: Array
-    mean: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,16 +98,32 @@ class Patch:
         ------
         ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
         """
-        if not (0 <= order_u <= PATCH_DEGREE and 0 <= order_v <= PATCH_DEGREE):
-            raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 to {PATCH_DEGREE}")
-        coefficients = self.coefficients
-        for _ in range(order_u):
-            coefficients = bernstein.derivative(coefficients, 0)
-        for _ in range(order_v):
-            coefficients = bernstein.derivative(coefficients, 1)
+        coefficients = self._differentiated(order_u, order_v)
         basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
         basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
         return read_only(grid.evaluate(coefficients, basis_u, basis_v))
+
+    def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative of S at scattered parameters, as ``derivative`` does on a grid.
+
+        Parameters
+        ----------
+        u, v : (k,) and (k,) parameters
+        order_u, order_v : order of the derivative in u and in v, each 0 to 6
+
+        Returns
+        -------
+        (k, 3) float64, read-only
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
+        """
+        coefficients = self._differentiated(order_u, order_v)
+        basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
+        basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
+        along_v = np.tensordot(basis_u, coefficients, axes=1)
+        return read_only(np.einsum("kb,kbd->kd", basis_v, along_v))
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the unit normals along S_u x S_v on a grid.
@@ -145,10 +154,7 @@ class Patch:
         return read_only(normals)
 
     def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
-        """Return Gaussian and mean curvature on a grid, from the two fundamental forms.
-
-        The sign of the mean curvature belongs to the normal S_u x S_v: it is positive where the surface bends
-        toward that normal.
+        """Return the curvatures on a grid, from the two fundamental forms.
 
         Parameters
         ----------
@@ -158,20 +164,8 @@ class Patch:
         ------
         ValueError : u or v is not one-dimensional
         """
-        su, sv = self.derivative(u, v, 1, 0), self.derivative(u, v, 0, 1)
-        normal = np.cross(su, sv)
-        length = np.linalg.norm(normal, axis=-1)
-        length[length <= self._rounding_of_a_normal()] = np.nan
-        first = [np.einsum("...k,...k", a, b) for a, b in ((su, su), (su, sv), (sv, sv))]
-        second = [
-            np.einsum("...k,...k", self.derivative(u, v, *orders), normal) / length
-            for orders in ((2, 0), (1, 1), (0, 2))
-        ]
-        (g_uu, g_uv, g_vv), (h_uu, h_uv, h_vv) = first, second
-        area = length**2
-        gaussian = (h_uu * h_vv - h_uv * h_uv) / area
-        mean = (g_uu * h_vv - 2 * g_uv * h_uv + g_vv * h_uu) / (2 * area)
-        return Curvature(read_only(gaussian), read_only(mean))
+        orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+        return curvature(*(self.derivative(u, v, *order) for order in orders), singular=self._rounding_of_a_normal())
 
     def edge(self, edge: Edge) -> Array:
         """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
@@ -187,6 +181,17 @@ class Patch:
         """Return the patch mapped by a (4, 4) affine matrix that acts on columns [x y z 1], eq. (62)."""
         m = np.asarray(matrix, dtype=np.float64)
         return Patch(self.coefficients @ m[:3, :3].T + m[:3, 3], self.degree)
+
+    def _differentiated(self, order_u: int, order_v: int) -> Array:
+        """Return the Bernstein coefficients of a partial derivative."""
+        if not (0 <= order_u <= PATCH_DEGREE and 0 <= order_v <= PATCH_DEGREE):
+            raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 to {PATCH_DEGREE}")
+        coefficients = self.coefficients
+        for _ in range(order_u):
+            coefficients = bernstein.derivative(coefficients, 0)
+        for _ in range(order_v):
+            coefficients = bernstein.derivative(coefficients, 1)
+        return coefficients
 
     def _rounding_of_a_normal(self) -> float:
         """Return the length below which S_u x S_v is no more than rounding."""

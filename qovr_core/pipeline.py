@@ -3,14 +3,27 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 
 import numpy as np
 
 from qovr_core.alignment import align, bounding_box
 from qovr_core.arrays import Array, read_only
-from qovr_core.document import Document
+from qovr_core.document import Document, Formulation
 from qovr_core.formulations import build_patch
 from qovr_core.patch import Patch
+
+
+class Layer(StrEnum):
+    """The two surfaces of a result: as computed, and after the transformation T."""
+
+    RAW = "raw"
+    TRANSFORMED = "transformed"
+
+
+def default_layer(document: Document) -> Layer:
+    """Return ``transformed``, but ``raw`` for ``interpolating``, whose raw surface is already in the net's place."""
+    return Layer.RAW if document.formulation is Formulation.INTERPOLATING else Layer.TRANSFORMED
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +50,10 @@ class AlignedPatch:
     def transformed_patch(self) -> Patch:
         """The transformed surface, exact."""
         return self.patch.transformed(self.matrix)
+
+    def layer_patch(self, layer: Layer) -> Patch:
+        """Return the surface of a layer, exact."""
+        return self.patch if layer is Layer.RAW else self.transformed_patch
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,7 +8,8 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePo
 from qovr_app.panels.numbers import number_text, typed_number
 from qovr_core import Document, DocumentError
 from qovr_core.files import Format
-from qovr_core.files.options import ExportOptions, Layer, default_layer
+from qovr_core.files.options import ExportOptions
+from qovr_core.pipeline import Layer, default_layer
 
 
 class ExportChoices(QWidget):

@@ -1,7 +1,7 @@
 """Files in and out: one module a format, one table of formats."""
 
 from qovr_core.files.formats import FORMATS, Format, format_for
-from qovr_core.files.options import ExportOptions, Layer
+from qovr_core.files.options import ExportOptions
 from qovr_core.files.qovr_document import read_document, write_document
 from qovr_core.files.sources import read_source
 
@@ -9,7 +9,6 @@ __all__ = [
     "FORMATS",
     "ExportOptions",
     "Format",
-    "Layer",
     "format_for",
     "read_document",
     "read_source",

@@ -4,19 +4,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from enum import StrEnum
 
 from qovr_core.arrays import Array
-from qovr_core.document import Document, Formulation
+from qovr_core.document import Document
 from qovr_core.patch import Patch
-from qovr_core.pipeline import Surface
-
-
-class Layer(StrEnum):
-    """The two surfaces of a result: as computed, and after the transformation T."""
-
-    RAW = "raw"
-    TRANSFORMED = "transformed"
+from qovr_core.pipeline import Layer, Surface, default_layer
 
 
 @dataclass(frozen=True)
@@ -49,8 +41,7 @@ class ExportOptions:
 
     def chosen_patch(self, surface: Surface) -> Patch:
         """Return the exact surface to write."""
-        is_raw = self.chosen_layer(surface.document) is Layer.RAW
-        return surface.patch if is_raw else surface.transformed_patch
+        return surface.layer_patch(self.chosen_layer(surface.document))
 
     def chosen_samples(self, surface: Surface) -> Array:
         """Return the samples (n, m, 3) of the surface to write."""
@@ -59,8 +50,3 @@ class ExportOptions:
 
 
 DEFAULTS = ExportOptions()
-
-
-def default_layer(document: Document) -> Layer:
-    """Return ``transformed``, but ``raw`` for ``interpolating``, whose raw surface is already in the net's place."""
-    return Layer.RAW if document.formulation is Formulation.INTERPOLATING else Layer.TRANSFORMED

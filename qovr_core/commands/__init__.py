@@ -1,0 +1,1 @@
+"""The headless commands, one module each: ``add_command`` brings it to the parser."""

@@ -1,0 +1,99 @@
+"""``qovr export``: evaluate a document and write files."""
+
+from __future__ import annotations
+
+import argparse
+import math
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from qovr_core.commands.common import DONE, SOURCE_HELP, progress_bar
+from qovr_core.document import Document, Formulation
+from qovr_core.errors import DocumentError, FileError, QovrError
+from qovr_core.files import FORMATS, ExportOptions, format_for, read_source
+from qovr_core.pipeline import Layer, configure
+
+_OF_ONE_LAYER = ", ".join(entry.suffix for entry in FORMATS.values() if entry.holds_one_layer)
+_MESHES = ", ".join(entry.suffix for entry in FORMATS.values() if entry.is_mesh)
+
+
+def add_command(commands: Any) -> None:
+    command = commands.add_parser("export", help="evaluate and write files", epilog=SOURCE_HELP)
+    command.add_argument("source", metavar="SOURCE")
+    command.add_argument("outs", metavar="OUT", nargs="+", type=Path, help=f"ends in {', '.join(FORMATS)}")
+    command.add_argument("--formulation", choices=[str(name) for name in Formulation])
+    command.add_argument("--samples", type=_samples, metavar="N|NxM", help="samples along u and v, 2 to 4096")
+    command.add_argument(
+        "--layer",
+        choices=[str(layer) for layer in Layer],
+        help=f"which surface {_OF_ONE_LAYER} get (default: transformed; raw for interpolating)",
+    )
+    command.add_argument(
+        "--tolerance",
+        type=_tolerance,
+        metavar="DISTANCE",
+        help=f"largest distance between surface and mesh; {_MESHES} then choose their own samples",
+    )
+    command.set_defaults(command=_export)
+
+
+def _export(arguments: argparse.Namespace) -> int:
+    document = _changed(read_source(arguments.source), arguments)
+    formats = [format_for(out) for out in arguments.outs]
+    options = ExportOptions(arguments.layer, arguments.tolerance)
+    if options.tolerance is not None and not any(target.is_mesh for target in formats):
+        raise QovrError(f"--tolerance is for a mesh; expected an OUT that ends in {_MESHES}")
+    for out, target in zip(arguments.outs, formats, strict=True):
+        target.check(document, out)
+        _check_folder(out)
+        _announce(target.announce(document), out)
+    surface = configure(document)
+    for out, target in zip(arguments.outs, formats, strict=True):
+        with progress_bar(out.name) as progress:
+            target.write(surface, out, progress, options)
+    return DONE
+
+
+def _changed(document: Document, arguments: argparse.Namespace) -> Document:
+    """Return the document with what the call's options say."""
+    if arguments.formulation is not None:
+        document = replace(document, formulation=Formulation(arguments.formulation))
+    if arguments.samples is not None:
+        document = replace(document, samples=arguments.samples)
+    return document
+
+
+def _check_folder(out: Path) -> None:
+    if not out.parent.is_dir():
+        raise FileError(f"{out}: cannot be written: the folder {out.parent} does not exist")
+
+
+def _announce(announcement: str, out: Path) -> None:
+    if announcement and sys.stderr.isatty():
+        print(f"qovr: {out}: {announcement}", file=sys.stderr)
+
+
+def _samples(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"(\d{1,9})(?:[xX](\d{1,9}))?", text)
+    if not match:
+        raise argparse.ArgumentTypeError(f"'{text}' is no sample count; expected N or NxM, as 101 or 101x51")
+    n, m = int(match[1]), int(match[2] or match[1])
+    from qovr_core.checks import checked_samples
+
+    try:
+        return checked_samples(n, "samples along u"), checked_samples(m, "samples along v")
+    except DocumentError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def _tolerance(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not 0 < value < math.inf:
+        raise argparse.ArgumentTypeError(f"'{text}' is no tolerance; expected a positive distance, as 0.01")
+    return value

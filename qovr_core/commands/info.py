@@ -1,0 +1,28 @@
+"""``qovr info``: boxes, matrix, degree, knots out of range."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
+from qovr_core.files import read_source
+from qovr_core.pipeline import configure
+
+
+def add_command(commands: Any) -> None:
+    command = commands.add_parser("info", help="boxes, matrix, degree, knots out of range", epilog=SOURCE_HELP)
+    command.add_argument("source", metavar="SOURCE")
+    command.add_argument("--json", action="store_true")
+    command.set_defaults(command=_info)
+
+
+def _info(arguments: argparse.Namespace) -> int:
+    from qovr_core.report import facts_text, surface_facts
+
+    facts = surface_facts(configure(read_source(arguments.source)))
+    if arguments.json:
+        print_json(facts)
+    else:
+        print(facts_text(facts))
+    return DONE

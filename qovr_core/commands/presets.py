@@ -1,0 +1,19 @@
+"""``qovr presets``: the paper's cases by name."""
+
+from __future__ import annotations
+
+import argparse
+from typing import Any
+
+from qovr_core.commands.common import DONE
+from qovr_core.presets import presets
+
+
+def add_command(commands: Any) -> None:
+    commands.add_parser("presets", help="list the paper's cases").set_defaults(command=_presets)
+
+
+def _presets(_arguments: argparse.Namespace) -> int:
+    for entry in presets().values():
+        print(f"paper:{entry.name:<8}{entry.title}")
+    return DONE

@@ -1,0 +1,79 @@
+"""Differential geometry of any parametric surface, from its partial derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.arrays import Array, read_only
+
+
+class ParametricSurface(Protocol):
+    """What everything that looks at a surface S(u, v) over [0, 1] x [0, 1] asks it.
+
+    ``Patch`` is one; so are the splines with which ``qovr_core.laboratory`` compares it.
+    """
+
+    def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative on a grid of (n,) and (m,) parameters, (n, m, 3)."""
+
+    def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative at scattered parameters, (k,) and (k,), as (k, 3)."""
+
+    def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the points on a grid, (n, m, 3)."""
+
+    def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the unit normals along S_u x S_v on a grid, (n, m, 3)."""
+
+    def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
+        """Return the curvatures on a grid."""
+
+
+@dataclass(frozen=True)
+class Curvature:
+    """Gaussian and mean curvature, each float64 of one shape; NaN where the tangents are dependent.
+
+    The signs of mean and principal curvatures belong to the normal S_u x S_v: they are positive where the
+    surface bends toward that normal.
+    """
+
+    gaussian: Array
+    mean: Array
+
+    @property
+    def largest(self) -> Array:
+        """The larger principal curvature k_1, never below k_2."""
+        return read_only(self.mean + self._half_difference)
+
+    @property
+    def smallest(self) -> Array:
+        """The smaller principal curvature k_2."""
+        return read_only(self.mean - self._half_difference)
+
+    @property
+    def _half_difference(self) -> Array:
+        """(k_1 - k_2) / 2; where rounding makes its square negative, the point is an umbilic."""
+        return np.sqrt(np.maximum(self.mean**2 - self.gaussian, 0.0))
+
+
+def curvature(su: Array, sv: Array, suu: Array, suv: Array, svv: Array, *, singular: float) -> Curvature:
+    """Return the curvatures from the two fundamental forms.
+
+    Parameters
+    ----------
+    su, sv, suu, suv, svv : (..., 3) partial derivatives
+    singular : the length of S_u x S_v up to which the tangents count as dependent
+    """
+    normal = np.cross(su, sv)
+    length = np.linalg.norm(normal, axis=-1)
+    length = np.where(length <= singular, np.nan, length)
+    g_uu, g_uv, g_vv = (np.einsum("...k,...k", a, b) for a, b in ((su, su), (su, sv), (sv, sv)))
+    h_uu, h_uv, h_vv = (np.einsum("...k,...k", second, normal) / length for second in (suu, suv, svv))
+    area = length**2
+    gaussian = (h_uu * h_vv - h_uv * h_uv) / area
+    mean = (g_uu * h_vv - 2 * g_uv * h_uv + g_vv * h_uu) / (2 * area)
+    return Curvature(read_only(gaussian), read_only(mean))
