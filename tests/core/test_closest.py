@@ -7,7 +7,7 @@ from qovr_core import Formulation, Layer, Patch, align_patch
 from qovr_core.laboratory.closest import closest_points
 from support.documents import random_document, size
 from support.shapes import CLOSED, COLLAPSED, special
-from support.sphere import SphericalPatch
+from support.surfaces import SphericalPatch
 
 
 def box_patch(width, depth):

@@ -1,4 +1,4 @@
-"""A piece of a sphere in closed form: the one surface whose every measure can be told without a computer."""
+"""A piece of a sphere in closed form, and curvatures by another way than the program's."""
 
 from dataclasses import dataclass
 
@@ -38,3 +38,23 @@ class SphericalPatch:
     def curvature(self, u, v):
         orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
         return curvature(*(self.derivative(u, v, *order) for order in orders), singular=1e-12 * self.radius**2)
+
+
+def principal_curvatures(surface, u, v, step=1e-5):
+    """Return k_2 and k_1 on a grid: the eigenvalues of minus the derivative of the unit normal along the surface."""
+
+    def unit_normal(u, v):
+        normal = np.cross(surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1))
+        return normal / np.linalg.norm(normal, axis=-1, keepdims=True)
+
+    turned = np.stack(
+        [
+            (unit_normal(u + step, v) - unit_normal(u - step, v)) / (2 * step),
+            (unit_normal(u, v + step) - unit_normal(u, v - step)) / (2 * step),
+        ],
+        axis=-1,
+    )
+    tangents = np.stack([surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1)], axis=-1)
+    shape = -np.linalg.pinv(tangents) @ turned
+    principal = np.sort(np.linalg.eigvals(shape).real, axis=-1)
+    return principal[..., 0], principal[..., 1]
