@@ -1,0 +1,63 @@
+"""``qovr compare``: the surface beside the classical surfaces of its net, in numbers."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from typing import Any
+
+from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
+from qovr_core.files import read_source
+
+
+def add_command(commands: Any) -> None:
+    command = commands.add_parser(
+        "compare", help="measure it beside Bezier, B-spline, NURBS and Catmull-Rom", epilog=SOURCE_HELP
+    )
+    command.add_argument("source", metavar="SOURCE")
+    command.add_argument(
+        "--point",
+        type=_point,
+        metavar="I,J",
+        default=(2, 2),
+        help="the control point that moves, row and column from 0 to 4 (default: 2,2)",
+    )
+    command.add_argument(
+        "--weight",
+        type=_weight,
+        metavar="W",
+        default=4.0,
+        help="its weight in the NURBS surface; all others have 1 (default: 4)",
+    )
+    command.add_argument("--json", action="store_true")
+    command.set_defaults(command=_compare)
+
+
+def _compare(arguments: argparse.Namespace) -> int:
+    document = read_source(arguments.source)
+    from qovr_core.laboratory.comparison import compare
+    from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
+
+    comparison = compare(document, arguments.point, arguments.weight)
+    if arguments.json:
+        print_json(comparison_facts(comparison))
+    else:
+        print(comparison_text(comparison))
+    return DONE
+
+
+def _point(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"([0-4])\s*,\s*([0-4])", text.strip())
+    if not match:
+        raise argparse.ArgumentTypeError(f"'{text}' is no control point; expected I,J, each from 0 to 4, as 2,3")
+    return int(match[1]), int(match[2])
+
+
+def _weight(text: str) -> float:
+    try:
+        value = float(text)
+    except ValueError:
+        value = 0.0
+    if not 0 < value < float("inf"):
+        raise argparse.ArgumentTypeError(f"'{text}' is no weight; expected a positive number, as 4")
+    return value
