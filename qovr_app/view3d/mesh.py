@@ -95,10 +95,19 @@ def facet_counts(samples: Counts) -> Counts:
     return min(samples[0], RESTING_LIMIT), min(samples[1], RESTING_LIMIT)
 
 
-def facet_heights(patch: Patch, counts: Counts) -> FloatArray:
-    """Return z of a patch at every corner of the facets, (n, m) float32, read-only."""
-    (along_u, _), (along_v, _) = (_bases(count) for count in counts)
-    return read_only(along_u @ patch.coefficients[..., 2].astype(np.float32) @ along_v.T)
+def spread(values: Array, counts: Counts) -> Array:
+    """Return values (n, m) at even parameters on a finer or an equal grid, linear between them.
+
+    What lies beside a NaN is one, too.
+    """
+    for axis, count in enumerate(counts):
+        few = values.shape[axis]
+        if few != count:
+            at = np.linspace(0.0, few - 1.0, count)
+            lower = np.minimum(at.astype(np.intp), few - 2)
+            part = np.expand_dims(at - lower, 1 - axis)
+            values = np.take(values, lower, axis) * (1 - part) + np.take(values, lower + 1, axis) * part
+    return values
 
 
 def curve_points(coefficients: Array, count: int) -> Array:

@@ -17,6 +17,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.colourbar import draw_colour_bar
 from qovr_app.view3d.frame import Frame
+from qovr_app.view3d.note import draw_note
 from qovr_app.view3d.occlusion import Occluder
 from qovr_app.view3d.picture import Picture, has_colour_bar
 from qovr_app.view3d.settings import Style
@@ -63,6 +64,8 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
         _draw_labels(painter, picture, seen[start:], hidden[start:])
     if has_colour_bar(picture.settings, size):
         draw_colour_bar(painter, picture, size)
+    if picture.settings.surface and picture.colouring.note:
+        draw_note(painter, picture.colouring.note, picture.theme, size)
 
 
 @dataclass(frozen=True, eq=False)

@@ -23,8 +23,30 @@ class Style(StrEnum):
     POINTS = "points"
 
 
+class ColourBy(StrEnum):
+    """What the colours of the surface say: a field by its name, or a pattern that follows the camera."""
+
+    HEIGHT = "height"
+    GAUSSIAN = "gaussian"
+    MEAN = "mean"
+    LARGEST = "largest"
+    SMALLEST = "smallest"
+    DISTANCE = "distance"
+    SENSITIVITY = "sensitivity"
+    ZEBRA = "zebra"
+    ISOPHOTES = "isophotes"
+
+
+class ColourRange(StrEnum):
+    """Which values the ends of the colours stand for: all, all but a few, or two given ones."""
+
+    AUTO = "auto"
+    ROBUST = "robust"
+    FIXED = "fixed"
+
+
 class ColourMap(StrEnum):
-    """Height colours; ``JET`` is MATLAB's, as in the paper's figures."""
+    """Colours of what has no middle of its own; ``JET`` is MATLAB's, as in the paper's figures."""
 
     JET = "jet"
     TURBO = "turbo"
@@ -62,6 +84,9 @@ class DisplaySettings:
     layer: Layer = Layer.TRANSFORMED
     style: Style = Style.FACETS
     colour_map: ColourMap = ColourMap.JET
+    colour_by: ColourBy = ColourBy.HEIGHT
+    colour_range: ColourRange = ColourRange.AUTO
+    fixed_range: tuple[float, float] = (0.0, 1.0)
     scaling: Scaling = Scaling.EACH
     projection: Projection = Projection.PARALLEL
     theme: ThemeName = ThemeName.LIGHT

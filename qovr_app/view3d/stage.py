@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from qovr_app.view3d.frame import Frame
-from qovr_app.view3d.scene import Result, Scene, make_scene, scene_frame
+from qovr_app.view3d.scene import Companions, Result, Scene, make_scene, scene_frame
 from qovr_app.view3d.settings import DisplaySettings, Layer
 
 
@@ -17,6 +19,7 @@ class Stage:
 
     def __init__(self) -> None:
         self._result: Result | None = None
+        self.companions = Companions()
         self._frames: dict[Layer, Frame] = {}
         self._scenes: dict[Layer, Scene] = {}
 
@@ -37,4 +40,9 @@ class Stage:
         for layer in shown_layers(settings):
             if layer not in self._frames or not keep_limits:
                 self._frames[layer] = scene_frame(self._result, layer, settings.scaling)
-            self._scenes[layer] = make_scene(self._result, layer, self._frames[layer])
+            self._scenes[layer] = make_scene(self._result, layer, self._frames[layer], self.companions)
+
+    def set_companions(self, companions: Companions) -> None:
+        """Look at what is shown with others."""
+        self.companions = companions
+        self._scenes = {layer: replace(scene, companions=companions) for layer, scene in self._scenes.items()}
