@@ -114,7 +114,8 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, mo
     def values(counts: Counts) -> Array:
         return scene.values(field, counts, moving=moving)
 
-    limits, beyond = _limits(scene, settings, field, values(counts))
+    seen = np.stack([each.values(field, counts, moving=moving) for each in (scene, *scene.peers)])
+    limits, beyond = _limits(scene, settings, field, seen)
     table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
     return Colouring(by, table, title, limits, beyond, _remark(scene, field, limits), values)
 
@@ -123,7 +124,7 @@ def _limits(scene: Scene, settings: DisplaySettings, field: Field, values: Array
     """Return the limits, and whether values lie below or above them."""
     least = field_rounding(field, scene.surface_box.T)
     # Heights are those of the document's samples, like the boxes that are printed.
-    every = np.array(scene.heights) if field is Field.HEIGHT else values
+    every = np.array([each.heights for each in (scene, *scene.peers)]) if field is Field.HEIGHT else values
     low, high = field_range(field, every, robust=False, least=least)
     if settings.colour_range is ColourRange.AUTO or np.isnan(low):
         return (low, high), (False, False)
@@ -167,6 +168,8 @@ def _missing(scene: Scene, field: Field) -> str:
     """Return what has to be done before there is anything to show."""
     if field is Field.DISTANCE and scene.companions.reference is None:
         return PIN_NOTE
+    if field is Field.SENSITIVITY and scene.is_rival:
+        return f"A {scene.name} surface has no internal knots"
     return KNOT_NOTE if field is Field.SENSITIVITY and scene.companions.knot is None else ""
 
 

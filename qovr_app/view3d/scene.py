@@ -77,17 +77,26 @@ class Scene:
     result : for the samples, the control points and the curves, and what its knots do
     surface_box, control_box : (3, 2) in the document's units
     companions : what it is looked at with
+    name : of its surface where there are several, else empty
+    is_rival : whether the surface is not the document's, but one of the same control net that is compared with it
+    rival_name, rival_lines : a surface drawn over this one by its lines (k, n, 3) of the unit space; k is 0 without one
+    peers : scenes beside this one in which a colour means the same
     """
 
     layer: Layer
     frame: Frame
-    patch: Patch
+    patch: ParametricSurface
     heights: tuple[float, float]
-    surface: Patch
+    surface: ParametricSurface
     result: Result
     surface_box: Array
     control_box: Array
     companions: Companions = field(default_factory=Companions)
+    name: str = ""
+    is_rival: bool = False
+    rival_name: str = ""
+    rival_lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
+    peers: list[Scene] = field(default_factory=list, init=False, repr=False)
     cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -140,9 +149,9 @@ def mapped_box(box: Array, matrix: Array) -> Array:
     return matrix[:3, :3].diagonal()[:, None] * box + matrix[:3, 3:]
 
 
-def scene_frame(result: Result, layer: Layer, scaling: Scaling) -> Frame:
-    """Return the frame that holds a layer's surface and the control net, as in the paper's Figure 5."""
-    return frame_around([_surface_box(result, layer), result.control_box], scaling)
+def scene_frame(result: Result, layer: Layer, scaling: Scaling, *others: Array) -> Frame:
+    """Return the frame that holds a layer's surface and the control net, as in the paper's Figure 5, and others."""
+    return frame_around([_surface_box(result, layer), result.control_box, *others], scaling)
 
 
 def make_scene(result: Result, layer: Layer, frame: Frame, companions: Companions | None = None) -> Scene:

@@ -62,6 +62,13 @@ class Scaling(StrEnum):
     EQUAL = "equal"
 
 
+class Placement(StrEnum):
+    """Where a surface stands that is compared with the document's: in a viewport of its own, or as lines over it."""
+
+    BESIDE = "beside"
+    OVER = "over"
+
+
 class Projection(StrEnum):
     """How depth becomes size."""
 

@@ -15,7 +15,8 @@ class Theme:
 
     ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``accent`` is the control
     points and what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim`` parts marks
-    from the surface, ``undefined`` is the surface where what it shows has no value.
+    from the surface, ``undefined`` is the surface where what it shows has no value,
+    ``rival`` the lines of another surface over it.
     """
 
     background: Rgb
@@ -31,6 +32,7 @@ class Theme:
     column_curve: Rgb
     surface_line: Rgb
     undefined: Rgb
+    rival: Rgb
 
 
 _THEMES = {
@@ -48,6 +50,7 @@ _THEMES = {
         column_curve=(28, 100, 216),
         surface_line=(0, 0, 0),
         undefined=(146, 149, 155),
+        rival=(190, 24, 120),
     ),
     ThemeName.DARK: Theme(
         background=(32, 35, 40),
@@ -63,6 +66,7 @@ _THEMES = {
         column_curve=(92, 157, 255),
         surface_line=(0, 0, 0),
         undefined=(146, 149, 155),
+        rival=(255, 120, 200),
     ),
 }
 

@@ -18,9 +18,10 @@ from qovr_app.view3d.frame import HALF_EXTENTS
 from qovr_app.view3d.navigator import Navigator
 from qovr_app.view3d.panes import Panes
 from qovr_app.view3d.picture import Picture, margins
-from qovr_app.view3d.scene import NetIndex, Result
+from qovr_app.view3d.rival import Rival
+from qovr_app.view3d.scene import NetIndex, Result, Scene
 from qovr_app.view3d.settings import ColourBy, DisplaySettings, Layer, Projection
-from qovr_app.view3d.stage import Stage, shown_layers
+from qovr_app.view3d.stage import Stage
 from qovr_app.view3d.turn import Turn
 from qovr_core import ParametricSurface
 from qovr_core.edits import KnotPlace
@@ -28,7 +29,7 @@ from qovr_core.edits import KnotPlace
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""
 
-_CAPTIONS = {Layer.RAW: "Raw", Layer.TRANSFORMED: "Transformed"}
+_LAYER_NAMES = {Layer.RAW: "raw", Layer.TRANSFORMED: "transformed"}
 
 
 class View3D(QWidget):
@@ -67,7 +68,7 @@ class View3D(QWidget):
         self._rest.timeout.connect(self._refine)
         self._turn = Turn(self)
         self._turn.moved.connect(self._move_to)
-        self._panes.arrange(len(self._layers))
+        self._panes.arrange(self._count)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(320, 240)
@@ -92,19 +93,19 @@ class View3D(QWidget):
     @property
     def viewports(self) -> list[QWidget]:
         """The viewports in use, from left to right."""
-        return [self._panes[k] for k in range(len(self._layers))]
+        return [self._panes[k] for k in range(self._count)]
 
     def picture(self, viewport: int = 0) -> Picture:
         """Return what a viewport shows."""
-        layer = self._layers[viewport]
+        scene = self._stage.scene(viewport)
         return Picture(
             settings=self._settings,
             camera=self._camera,
-            scene=self._stage.scene(layer),
+            scene=scene,
             selected=self._selected,
             hovered=self._hovered,
             moving=self._moving,
-            caption=_CAPTIONS[layer] if len(self._layers) > 1 else "",
+            caption=_caption(scene) if scene is not None and self._count > 1 else "",
         )
 
     def set_result(self, result: Result) -> None:
@@ -120,10 +121,16 @@ class View3D(QWidget):
         perspective = settings.projection is Projection.PERSPECTIVE
         self._camera = replace(self._camera, perspective=perspective)
         if before.layer is not settings.layer:
-            self._panes.arrange(len(self._layers))
+            self._panes.arrange(self._count)
         if self._is_fitted:
             self._camera = self._fitted(self._camera)
         self._show()
+
+    def set_rival(self, rival: Rival | None) -> None:
+        """Show another surface of the same control net beside the document's or over it, or none any more."""
+        self._stage.set_rival(rival, self._settings)
+        self._panes.arrange(self._count)
+        self._lay_out()
 
     def set_reference(self, surface: ParametricSurface | None, name: str = "") -> None:
         """Take distances from a surface in the document's units, or from none; it stays what it is now."""
@@ -231,8 +238,8 @@ class View3D(QWidget):
     # Viewports
 
     @property
-    def _layers(self) -> tuple[Layer, ...]:
-        return shown_layers(self._settings)
+    def _count(self) -> int:
+        return self._stage.count(self._settings)
 
     def _listen(self, navigator: Navigator) -> None:
         """Take the intents of a new viewport's navigator."""
@@ -294,3 +301,10 @@ class View3D(QWidget):
     def _show(self) -> None:
         for k, viewport in enumerate(self.viewports):
             viewport.set_picture(self.picture(k))
+
+
+def _caption(scene: Scene) -> str:
+    """Return what tells a viewport from the one beside it."""
+    layer = "" if scene.is_rival else _LAYER_NAMES[scene.layer]
+    text = ", ".join(part for part in (scene.name, layer) if part)
+    return text[0].upper() + text[1:]
