@@ -18,6 +18,7 @@ from qovr_app.view3d.frame import HALF_EXTENTS
 from qovr_app.view3d.navigator import Navigator
 from qovr_app.view3d.panes import Panes
 from qovr_app.view3d.picture import Picture, margins
+from qovr_app.view3d.probing import Place, Reading, place_under, reading_at
 from qovr_app.view3d.scene import NetIndex, Result
 from qovr_app.view3d.settings import ColourBy, DisplaySettings, Layer, Projection
 from qovr_app.view3d.stage import Stage, shown_layers
@@ -57,6 +58,8 @@ class View3D(QWidget):
         self._stage = Stage()
         self._selected: NetIndex | None = None
         self._hovered: NetIndex | None = None
+        self._pointer: tuple[int, float, float] | None = None
+        self._probed: Place | None = None
         self._moving = False
         self._is_fitted, self._dragging = True, False
         self._panes = Panes(self, self.picture)
@@ -104,6 +107,7 @@ class View3D(QWidget):
             selected=self._selected,
             hovered=self._hovered,
             moving=self._moving,
+            probed=self._probed,
             caption=_CAPTIONS[layer] if len(self._layers) > 1 else "",
         )
 
@@ -142,6 +146,10 @@ class View3D(QWidget):
         """Mark a control point, or none."""
         self._selected = None if i is None or j is None else (i, j)
         self._show()
+
+    def probe_reading(self) -> Reading | None:
+        """Return what is so at the point under the mouse; None where the probe is off or meets no surface."""
+        return None if self._probed is None else reading_at(self.picture().scene, self._probed)
 
     # The camera
 
@@ -234,9 +242,10 @@ class View3D(QWidget):
     def _layers(self) -> tuple[Layer, ...]:
         return shown_layers(self._settings)
 
-    def _listen(self, navigator: Navigator) -> None:
+    def _listen(self, navigator: Navigator, number: int) -> None:
         """Take the intents of a new viewport's navigator."""
         navigator.camera_requested.connect(self._on_camera_requested)
+        navigator.pointed.connect(lambda at: self._on_pointed(number, at))
         navigator.hovered.connect(self._on_hovered)
         navigator.selected.connect(self._on_selected)
         navigator.drag_started.connect(self._on_drag_started)
@@ -249,6 +258,11 @@ class View3D(QWidget):
         self.fell_back.emit(reason)
 
     # Intents
+
+    def _on_pointed(self, viewport: int, at: tuple[float, float] | None) -> None:
+        self._pointer = None if at is None else (viewport, *at)
+        if self._settings.probe:
+            self._show()
 
     def _on_hovered(self, index: NetIndex | None) -> None:
         if index != self._hovered:
@@ -291,6 +305,16 @@ class View3D(QWidget):
         self._moving = False
         self._show()
 
+    def _place_under_pointer(self) -> Place | None:
+        if self._pointer is None or not self._settings.probe or not self._settings.surface:
+            return None
+        number, x, y = self._pointer
+        scene = self.picture(number).scene if number < len(self._layers) else None
+        if scene is None:
+            return None
+        return place_under(scene, self._camera, self.viewports[number].logical_size, x, y)
+
     def _show(self) -> None:
+        self._probed = self._place_under_pointer()
         for k, viewport in enumerate(self.viewports):
             viewport.set_picture(self.picture(k))
