@@ -116,7 +116,6 @@ CAMERAS = {
 
 
 def view_commands(
-    settings: DisplaySettings,
     change: Callable[[DisplaySettings], None],
     current: Callable[[], DisplaySettings],
     look: Callable[[str], None],
@@ -127,8 +126,7 @@ def view_commands(
 
     Parameters
     ----------
-    settings : how the check marks start
-    change, current : set and get the settings in force
+    change, current : set and get the settings in force; the check marks start with these
     look : turn the camera to a named view
     fit : show everything from where the camera is
     ask_range : ask for the ends of a fixed range
@@ -140,7 +138,7 @@ def view_commands(
     def switch(field: str) -> Callable[[bool], None]:
         return lambda checked: change(replace(current(), **{field: checked}))
 
-    commands = []
+    commands, settings = [], current()
     for field, (kind, menu, texts) in CHOICES.items():
         for value in kind:
             text, shortcut = texts[value]
@@ -157,7 +155,7 @@ def view_commands(
             "Pro&be",
             switch("probe"),
             "&View",
-            "P",
+            "F8",
             checked=settings.probe,
             tip="Read off the point of the surface under the mouse: place, normal, curvatures, distance",
         )

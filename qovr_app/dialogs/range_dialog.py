@@ -25,12 +25,7 @@ class RangeDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Fixed Colour Range")
         self.setObjectName("colour_range")
-        self._low, self._high = (
-            QLineEdit(
-                number_text(value), objectName=f"colour_range.{name}", accessibleName=f"{name} end of the colours"
-            )
-            for name, value in zip(("low", "high"), limits, strict=True)
-        )
+        self._low, self._high = (self._end(name, value) for name, value in zip(("low", "high"), limits, strict=True))
         self._note = QLabel(objectName="colour_range.note")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self.accept)
@@ -46,6 +41,9 @@ class RangeDialog(QDialog):
             field.textChanged.connect(self._check)
         self._low.selectAll()
         self._check()
+
+    def _end(self, name: str, value: float) -> QLineEdit:
+        return QLineEdit(number_text(value), objectName=f"colour_range.{name}", accessibleName=f"Colours, {name} end")
 
     @property
     def limits(self) -> Range:

@@ -28,7 +28,8 @@ class Navigator(QObject):
     """Watches the events of one viewport. It reports; the view decides.
 
     ``camera_requested(Camera)``; ``pointed`` with the mouse's x and y, or None when it has left; ``hovered`` and
-    ``selected`` with a net index or None; ``dragged(i, j, xyz, gesture)``, then ``drag_finished(gesture)`` or ``drag_cancelled(gesture)``.
+    ``selected`` with a net index or None; ``dragged(i, j, xyz, gesture)``, then ``drag_finished(gesture)`` or
+    ``drag_cancelled(gesture)``.
     """
 
     camera_requested = Signal(object)

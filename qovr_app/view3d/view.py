@@ -3,6 +3,7 @@ document."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,13 +19,15 @@ from qovr_app.view3d.frame import HALF_EXTENTS
 from qovr_app.view3d.navigator import Navigator
 from qovr_app.view3d.panes import Panes
 from qovr_app.view3d.picture import Picture, margins
-from qovr_app.view3d.probing import Place, Reading, place_under, reading_at
+from qovr_app.view3d.probing import Place, place_under, reading_at
+from qovr_app.view3d.readout import readout_text
 from qovr_app.view3d.scene import NetIndex, Result
 from qovr_app.view3d.settings import ColourBy, DisplaySettings, Layer, Projection
 from qovr_app.view3d.stage import Stage, shown_layers
 from qovr_app.view3d.turn import Turn
 from qovr_core import ParametricSurface
 from qovr_core.edits import KnotPlace
+from qovr_core.laboratory.fields import Range
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""
@@ -147,9 +150,16 @@ class View3D(QWidget):
         self._selected = None if i is None or j is None else (i, j)
         self._show()
 
-    def probe_reading(self) -> Reading | None:
-        """Return what is so at the point under the mouse; None where the probe is off or meets no surface."""
-        return None if self._probed is None else reading_at(self.picture().scene, self._probed)
+    def probe_text(self) -> str:
+        """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
+        return "" if self._probed is None else readout_text(reading_at(self.picture().scene, self._probed))
+
+    def shown_range(self) -> tuple[str, Range]:
+        """Return what the colours say, and the values at their ends; not numbers where there are none."""
+        picture = self.picture()
+        if picture.scene is None:
+            return "", (math.nan, math.nan)
+        return picture.colouring.title, picture.colouring.limits
 
     # The camera
 
