@@ -20,6 +20,7 @@ from qovr_app.view3d.frame import Frame
 from qovr_app.view3d.note import draw_note
 from qovr_app.view3d.occlusion import Occluder
 from qovr_app.view3d.picture import Picture, has_colour_bar
+from qovr_app.view3d.readout import draw_readout
 from qovr_app.view3d.settings import Style
 from qovr_app.view3d.text import NORMAL, draw_text, plain
 from qovr_app.view3d.theme import Rgb
@@ -70,6 +71,8 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
         draw_colour_bar(painter, picture, size)
     if picture.settings.surface and picture.colouring.note:
         draw_note(painter, picture.colouring.note, picture.theme, size)
+    if picture.probed is not None:
+        draw_readout(painter, picture, size)
 
 
 @dataclass(frozen=True, eq=False)

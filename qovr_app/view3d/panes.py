@@ -21,12 +21,12 @@ class Panes(QObject):
 
     Signals
     -------
-    navigator_made : a Navigator, whose intents somebody has to take
+    navigator_made : the Navigator of a new viewport, whose intents somebody has to take, and the viewport's number
     painted : a frame has reached the window
     fell_back : once, why OpenGL is not used; the panes are those of the painter by then
     """
 
-    navigator_made = Signal(object)
+    navigator_made = Signal(object, int)
     painted = Signal()
     fell_back = Signal(str)
 
@@ -66,7 +66,7 @@ class Panes(QObject):
         viewport.painted.connect(self.painted)
         navigator = Navigator(viewport, lambda: self._picture(number))
         self._navigators.append(navigator)
-        self.navigator_made.emit(navigator)
+        self.navigator_made.emit(navigator, number)
         return viewport
 
     def _gl_viewport(self, picture: Picture, parent: QWidget) -> QWidget:

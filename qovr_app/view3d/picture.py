@@ -29,6 +29,7 @@ class Picture:
     ----------
     scene : None before the first result
     moving : draw on a coarser grid, because the next frame is near
+    probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing
     """
 
@@ -38,6 +39,7 @@ class Picture:
     selected: NetIndex | None = None
     hovered: NetIndex | None = None
     moving: bool = False
+    probed: tuple[float, float] | None = None
     caption: str = ""
 
     @property

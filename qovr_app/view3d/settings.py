@@ -108,3 +108,4 @@ class DisplaySettings:
     surface_box: bool = False
     axes: bool = True
     colour_bar: bool = True
+    probe: bool = False

@@ -3,6 +3,7 @@ document."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -18,6 +19,8 @@ from qovr_app.view3d.frame import HALF_EXTENTS
 from qovr_app.view3d.navigator import Navigator
 from qovr_app.view3d.panes import Panes
 from qovr_app.view3d.picture import Picture, margins
+from qovr_app.view3d.probing import Place, place_under, reading_at
+from qovr_app.view3d.readout import readout_text
 from qovr_app.view3d.rival import Rival
 from qovr_app.view3d.scene import NetIndex, Result, Scene
 from qovr_app.view3d.settings import ColourBy, DisplaySettings, Layer, Projection
@@ -25,6 +28,7 @@ from qovr_app.view3d.stage import Stage
 from qovr_app.view3d.turn import Turn
 from qovr_core import ParametricSurface
 from qovr_core.edits import KnotPlace
+from qovr_core.laboratory.fields import Range
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""
@@ -58,6 +62,8 @@ class View3D(QWidget):
         self._stage = Stage()
         self._selected: NetIndex | None = None
         self._hovered: NetIndex | None = None
+        self._pointer: tuple[int, float, float] | None = None
+        self._probed: Place | None = None
         self._moving = False
         self._is_fitted, self._dragging = True, False
         self._panes = Panes(self, self.picture)
@@ -105,6 +111,7 @@ class View3D(QWidget):
             selected=self._selected,
             hovered=self._hovered,
             moving=self._moving,
+            probed=self._probed,
             caption=_caption(scene) if scene is not None and self._count > 1 else "",
         )
 
@@ -149,6 +156,17 @@ class View3D(QWidget):
         """Mark a control point, or none."""
         self._selected = None if i is None or j is None else (i, j)
         self._show()
+
+    def probe_text(self) -> str:
+        """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
+        return "" if self._probed is None else readout_text(reading_at(self.picture().scene, self._probed))
+
+    def shown_range(self) -> tuple[str, Range]:
+        """Return what the colours say, and the values at their ends; not numbers where there are none."""
+        picture = self.picture()
+        if picture.scene is None:
+            return "", (math.nan, math.nan)
+        return picture.colouring.title, picture.colouring.limits
 
     # The camera
 
@@ -241,9 +259,10 @@ class View3D(QWidget):
     def _count(self) -> int:
         return self._stage.count(self._settings)
 
-    def _listen(self, navigator: Navigator) -> None:
+    def _listen(self, navigator: Navigator, number: int) -> None:
         """Take the intents of a new viewport's navigator."""
         navigator.camera_requested.connect(self._on_camera_requested)
+        navigator.pointed.connect(lambda at: self._on_pointed(number, at))
         navigator.hovered.connect(self._on_hovered)
         navigator.selected.connect(self._on_selected)
         navigator.drag_started.connect(self._on_drag_started)
@@ -256,6 +275,11 @@ class View3D(QWidget):
         self.fell_back.emit(reason)
 
     # Intents
+
+    def _on_pointed(self, viewport: int, at: tuple[float, float] | None) -> None:
+        self._pointer = None if at is None else (viewport, *at)
+        if self._settings.probe:
+            self._show()
 
     def _on_hovered(self, index: NetIndex | None) -> None:
         if index != self._hovered:
@@ -298,7 +322,17 @@ class View3D(QWidget):
         self._moving = False
         self._show()
 
+    def _place_under_pointer(self) -> Place | None:
+        if self._pointer is None or not self._settings.probe or not self._settings.surface:
+            return None
+        number, x, y = self._pointer
+        scene = self.picture(number).scene if number < self._count else None
+        if scene is None:
+            return None
+        return place_under(scene, self._camera, self.viewports[number].logical_size, x, y)
+
     def _show(self) -> None:
+        self._probed = self._place_under_pointer()
         for k, viewport in enumerate(self.viewports):
             viewport.set_picture(self.picture(k))
 
