@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.actions import make_actions
 from qovr_app.appearance import NAME, theme
+from qovr_app.colour_desk import ColourDesk
 from qovr_app.controller import Controller, State
 from qovr_app.desk import Desk
 from qovr_app.dialogs.help_dialog import HelpDialog
@@ -20,7 +21,7 @@ from qovr_app.preferences import Preferences
 from qovr_app.recovery import Keeper, RecoveryStore
 from qovr_app.session import Session
 from qovr_app.status import MessageLine
-from qovr_app.view3d.settings import DisplaySettings, Layer
+from qovr_app.view3d.settings import ColourRange, DisplaySettings, Layer
 from qovr_app.view_commands import view_commands
 from qovr_app.window_commands import go_commands, help_commands, window_commands
 from qovr_app.workspace import Workspace
@@ -63,6 +64,7 @@ class MainWindow(QMainWindow):
             self._settings = preferences.display(self._settings)
         self.workspace = Workspace(self.controller, self)
         self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self)
+        self.colours = ColourDesk(self.session, self.controller, lambda: self.view, self)
         self._keeper: Keeper | None = None
         self._result: AlignedPatch | None = None
         self._help: HelpDialog | None = None
@@ -89,9 +91,10 @@ class MainWindow(QMainWindow):
     def _make_commands(self) -> None:
         self._table = [
             *window_commands(self),
-            *view_commands(self._settings, self._set_settings, lambda: self._settings, self._look, self._fit),
+            *view_commands(self._set_settings, lambda: self._settings, self._look, self._fit, self._ask_range),
             *go_commands(self),
             *laboratory_commands(self.workspace.laboratory),
+            *self.colours.commands(),
             *help_commands(self),
         ]
         self.commands = make_actions(self._table, self)
@@ -121,6 +124,8 @@ class MainWindow(QMainWindow):
         space.laboratory.panel_changed.connect(lambda name: check_shown(self.commands, name))
         space.laboratory.document_requested.connect(self.desk.open_document)
         space.laboratory.told.connect(lambda text, refused: self.tell(text, refused=refused))
+        space.focus_changed.connect(self.colours.focus_on)
+        self.colours.told.connect(self.tell)
         self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.opened.connect(self._on_opened)
         self.session.opened.connect(space.drop_text)
@@ -139,6 +144,7 @@ class MainWindow(QMainWindow):
 
     def _on_view_came(self, view: View3D) -> None:
         view.set_settings(self._settings)
+        self.colours.on_view_came(view)
         view.point_dragged.connect(self.controller.drag_point)
         view.drag_cancelled.connect(self.session.cancel)
         view.drag_finished.connect(lambda _gesture: self._message.clear())
@@ -273,6 +279,12 @@ class MainWindow(QMainWindow):
 
     def _fit(self) -> None:
         self.view.fit()
+
+    def _ask_range(self) -> None:
+        limits = self.colours.asked_range(self._settings)
+        if limits is not None:
+            self._set_settings(replace(self._settings, colour_range=ColourRange.FIXED, fixed_range=limits))
+        self.commands[f"colour_range_{self._settings.colour_range}"].setChecked(True)
 
     def _set_settings(self, settings: DisplaySettings) -> None:
         self._settings = settings

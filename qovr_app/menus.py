@@ -22,6 +22,8 @@ _SEPARATED = {
     "get_values",
     "live",
     "scaling_each",
+    "probe",
+    "pin_reference",
     "camera_paper",
     "go_row_knots",
 }
@@ -34,6 +36,14 @@ _BAR_CAMERAS = {
     "camera_right": "Right",
     "fit": "Fit",
 }
+_BAR_CHOICES = {
+    "Style": ["style_"],
+    "Colour by": ["colour_by_", "colour_range_", "colour_map_"],
+    "Show": ["show_"],
+    "Scales": ["scaling_"],
+}
+"""The commands of each drop-down, by how their names begin; a line parts one kind from the next."""
+
 _BAR_EDITS = {
     "live": "Live",
     "link_curves": "Link curves",
@@ -73,8 +83,9 @@ def make_view_bar(actions: dict[str, QAction], parent: QWidget) -> QToolBar:
     for layer, text in ((Layer.RAW, "Raw"), (Layer.TRANSFORMED, "Transformed"), (Layer.BOTH, "Both")):
         _add(bar, actions[f"layer_{layer}"], text)
     bar.addSeparator()
-    for title, prefix in (("Style", "style_"), ("Colours", "colour_map_"), ("Show", "show_"), ("Scales", "scaling_")):
-        bar.addWidget(_choice(title, [action for name, action in actions.items() if name.startswith(prefix)], bar))
+    for title, prefixes in _BAR_CHOICES.items():
+        groups = [[action for name, action in actions.items() if name.startswith(prefix)] for prefix in prefixes]
+        bar.addWidget(_choice(title, groups, bar))
     bar.addSeparator()
     for name, text in _BAR_CAMERAS.items():
         _add(bar, actions[name], text)
@@ -130,12 +141,15 @@ def _add(bar: QToolBar, action: QAction, text: str) -> None:
     bar.addAction(action)
 
 
-def _choice(title: str, actions: list[QAction], parent: QWidget) -> QToolButton:
+def _choice(title: str, groups: list[list[QAction]], parent: QWidget) -> QToolButton:
     button = QToolButton(parent)
     button.setText(title)
     button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
     button.setAutoRaise(True)
     menu = QMenu(button)
-    menu.addActions(actions)
+    menu.setToolTipsVisible(True)
+    for actions in groups:
+        menu.addSeparator()
+        menu.addActions(actions)
     button.setMenu(menu)
     return button

@@ -7,14 +7,17 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from qovr_app.view3d.settings import DisplaySettings
+from qovr_app.view3d.settings import ColourBy, ColourRange, DisplaySettings
 
 _ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
 _MOST_RECENT = 9
 """As many recent files as there are digits to choose them by."""
 
-_FORGOTTEN = ("theme",)
-"""Display settings that follow the system and are not remembered."""
+_FORGOTTEN = ("theme", "fixed_range")
+"""Display settings that follow the system, or belong to one document, and are not remembered."""
+
+_PASSING = (ColourBy.DISTANCE, ColourBy.SENSITIVITY, ColourRange.FIXED)
+"""Choices that mean nothing at the next start, without the reference, the knot or the numbers they were made with."""
 
 
 class Preferences:
@@ -76,8 +79,8 @@ class Preferences:
     def set_display(self, settings: DisplaySettings) -> None:
         """Remember how the surface is shown."""
         for field in fields(settings):
-            if field.name not in _FORGOTTEN:
-                value = getattr(settings, field.name)
+            value = getattr(settings, field.name)
+            if field.name not in _FORGOTTEN and value not in _PASSING:
                 self._store.setValue(
                     f"view/{field.name}", str(value).lower() if isinstance(value, bool) else str(value)
                 )

@@ -32,6 +32,9 @@ class ParametricSurface(Protocol):
     def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
         """Return the curvatures on a grid."""
 
+    def transformed(self, matrix: npt.ArrayLike) -> ParametricSurface:
+        """Return the surface mapped by a (4, 4) affine matrix that acts on columns [x y z 1]."""
+
 
 _NO_DIRECTION = np.array([0.0, 0.0, 1.0])
 

@@ -58,3 +58,25 @@ def inverse_kernels(knots: npt.ArrayLike, *, decimals: int | None = None) -> Arr
         return inverse
     scale = 10.0**decimals
     return np.trunc(scale * inverse + np.copysign(_BELOW_A_DECIMAL, inverse)) / scale
+
+
+def inverse_kernel_slopes(knots: npt.ArrayLike) -> Array:
+    """Return the derivatives of the exact inverse kernels of (17), (21), (22) with respect to their knots.
+
+    Parameters
+    ----------
+    knots : (...) internal knots, each in (0, 1)
+
+    Returns
+    -------
+    (..., 3, 3) float64, as ``inverse_kernels``
+    """
+    k = np.asarray(knots, dtype=np.float64)
+    slope = np.zeros((*k.shape, 3, 3))
+    slope[..., 0, 0] = slope[..., 1, 0] = -1 / k**2
+    slope[..., 1, 0] *= -1
+    slope[..., 0, 1] = (1 - 2 * k) / (k * (k - 1)) ** 2
+    slope[..., 1, 1] = -slope[..., 0, 1]
+    slope[..., 0, 2] = 1 / (1 - k) ** 2
+    slope[..., 1, 2] = -slope[..., 0, 2]
+    return slope

@@ -67,6 +67,14 @@ class Camera:
         """From the eye to the centre; in parallel projection only the reach of the depth planes."""
         return self.span / 2 / math.tan(math.radians(FIELD_OF_VIEW / 2))
 
+    @property
+    def eye(self) -> Array:
+        """The eye in homogeneous coordinates, (4,): a point in perspective, else the direction toward the viewer."""
+        toward = self.axes[2]
+        if self.perspective:
+            return np.append(np.array(self.centre) + self.distance * toward, 1.0)
+        return np.append(toward, 0.0)
+
     def view_matrix(self) -> Array:
         """Return the (4, 4) matrix from the unit space to the eye's, which looks along -z."""
         matrix = np.eye(4)

@@ -1,4 +1,4 @@
-"""The height colours as tables of 256 entries, shared by the surface and its colour bar."""
+"""Colours as tables of 256 entries, shared by the surface and its colour bar."""
 
 from __future__ import annotations
 
@@ -12,15 +12,18 @@ from qovr_core.arrays import Array, read_only
 
 ENTRIES = 256
 
+DIVERGING = "coolwarm"
+"""For fields whose zero means something: light grey there, so that blue and red stand apart on either theme."""
+
 
 @cache
-def colour_table(colour_map: ColourMap) -> npt.NDArray[np.uint8]:
-    """Return red, green and blue from low to high, (256, 3) uint8, read-only."""
-    if colour_map is ColourMap.JET:
+def colour_table(colour_map: str) -> npt.NDArray[np.uint8]:
+    """Return red, green and blue of a ColourMap or of ``DIVERGING`` from low to high, (256, 3) uint8, read-only."""
+    if colour_map == ColourMap.JET:
         return read_only(np.rint(255 * _matlab_jet(ENTRIES)).astype(np.uint8))
     from matplotlib import colormaps
 
-    table = colormaps[colour_map.value](np.arange(ENTRIES), bytes=True)
+    table = colormaps[str(colour_map)](np.arange(ENTRIES), bytes=True)
     return read_only(np.ascontiguousarray(table[:, :3]))
 
 
@@ -38,9 +41,8 @@ def _matlab_jet(count: int) -> Array:
     return table
 
 
-def colours_of(heights: Array, low: float, high: float, colour_map: ColourMap) -> npt.NDArray[np.uint8]:
-    """Return the colours of heights (...), (..., 3) uint8; without extent everything has the middle
-    colour."""
+def colours_of(values: Array, low: float, high: float, colour_map: str) -> npt.NDArray[np.uint8]:
+    """Return the colours of values (...), (..., 3) uint8; without extent everything has the middle colour."""
     extent = high - low
-    part = (heights - low) / extent if extent > 0 else np.full(np.shape(heights), 0.5)
+    part = (values - low) / extent if extent > 0 else np.full(np.shape(values), 0.5)
     return colour_table(colour_map)[np.clip(part * ENTRIES, 0, ENTRIES - 1).astype(np.intp)]

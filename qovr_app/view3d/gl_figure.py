@@ -50,7 +50,7 @@ def _tile_image(
     GL.glClearColor(0, 0, 0, 0)
     GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
     matrix = _crop(pixels, tile) @ picture.camera.matrix(size)
-    item.show_picture(picture, Shot(matrix, picture.camera.axes, pixels[0] / size[0]))
+    item.show_picture(picture, Shot(matrix, picture.camera, pixels[0] / size[0]))
     item.paint()
     image = buffer.toImage()
     buffer.release()

@@ -110,7 +110,7 @@ class GlViewport(QOpenGLWidget):
         with painting(self._overlay_image) as painter:
             draw_overlay(painter, picture, size)
         camera = picture.camera
-        self._surface.show_picture(picture, Shot(camera.matrix(size), camera.axes, ratio))
+        self._surface.show_picture(picture, Shot(camera.matrix(size), camera, ratio))
         pixels = self._overlay_image.width(), self._overlay_image.height()
         # Without a graphics card several samples cost too much for motion: the picture at rest has them.
         with smooth_edges(pixels, wanted=not picture.moving and self.format().samples() < 2):

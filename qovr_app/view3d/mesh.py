@@ -10,6 +10,7 @@ import numpy.typing as npt
 from qovr_app.view3d.settings import Style
 from qovr_core.arrays import Array, read_only
 from qovr_core.bernstein import basis
+from qovr_core.differential import ParametricSurface
 from qovr_core.patch import PATCH_DEGREE, Patch
 
 FloatArray = npt.NDArray[np.float32]
@@ -38,16 +39,24 @@ def _bases(count: int) -> tuple[FloatArray, FloatArray]:
     return read_only(values.astype(np.float32)), read_only(slopes.astype(np.float32))
 
 
-def surface_vertices(patch: Patch, counts: Counts) -> FloatArray:
-    """Return positions and exact normals of a patch in unit space.
+def surface_vertices(surface: ParametricSurface, counts: Counts) -> FloatArray:
+    """Return positions and exact normals of a surface in unit space.
 
-    The normals are S_u x S_v of the patch as it is shown, scaled to the axes box, and not of unit length: the
+    The normals are those of the surface as it is shown, scaled to the axes box, and not of unit length: the
     shaders normalise them anyway.
 
     Returns
     -------
     (n, m, 6) float32, read-only: x, y, z and the normal, indexed [iu, iv]
     """
+    if isinstance(surface, Patch):
+        return _patch_vertices(surface, counts)
+    u, v = (np.linspace(0.0, 1.0, count) for count in counts)
+    return read_only(np.concatenate([surface.points(u, v), surface.normals(u, v)], axis=-1, dtype=np.float32))
+
+
+def _patch_vertices(patch: Patch, counts: Counts) -> FloatArray:
+    """Return the same for a patch, in single precision throughout: this is what every frame of a drag waits for."""
     (n, m), (along_u, slope_u), (along_v, slope_v) = counts, _bases(counts[0]), _bases(counts[1])
     table = patch.coefficients.transpose(1, 2, 0).reshape(PATCH_DEGREE + 1, -1).astype(np.float32)
     in_v = (along_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
@@ -95,10 +104,19 @@ def facet_counts(samples: Counts) -> Counts:
     return min(samples[0], RESTING_LIMIT), min(samples[1], RESTING_LIMIT)
 
 
-def facet_heights(patch: Patch, counts: Counts) -> FloatArray:
-    """Return z of a patch at every corner of the facets, (n, m) float32, read-only."""
-    (along_u, _), (along_v, _) = (_bases(count) for count in counts)
-    return read_only(along_u @ patch.coefficients[..., 2].astype(np.float32) @ along_v.T)
+def spread(values: Array, counts: Counts) -> Array:
+    """Return values (n, m) at even parameters on a finer or an equal grid, linear between them.
+
+    What lies beside a NaN is one, too.
+    """
+    for axis, count in enumerate(counts):
+        few = values.shape[axis]
+        if few != count:
+            at = np.linspace(0.0, few - 1.0, count)
+            lower = np.minimum(at.astype(np.intp), few - 2)
+            part = np.expand_dims(at - lower, 1 - axis)
+            values = np.take(values, lower, axis) * (1 - part) + np.take(values, lower + 1, axis) * part
+    return values
 
 
 def curve_points(coefficients: Array, count: int) -> Array:

@@ -27,11 +27,13 @@ _AXIS_KEYS = {Qt.Key.Key_X: 0, Qt.Key.Key_Y: 1, Qt.Key.Key_Z: 2}
 class Navigator(QObject):
     """Watches the events of one viewport. It reports; the view decides.
 
-    ``camera_requested(Camera)``; ``hovered`` and ``selected`` with a net index or None; ``dragged(i, j, xyz,
-    gesture)``, then ``drag_finished(gesture)`` or ``drag_cancelled(gesture)``.
+    ``camera_requested(Camera)``; ``pointed`` with the mouse's x and y, or None when it has left; ``hovered`` and
+    ``selected`` with a net index or None; ``dragged(i, j, xyz, gesture)``, then ``drag_finished(gesture)`` or
+    ``drag_cancelled(gesture)``.
     """
 
     camera_requested = Signal(object)
+    pointed = Signal(object)
     hovered = Signal(object)
     selected = Signal(object)
     drag_started = Signal(int)
@@ -100,6 +102,7 @@ class Navigator(QObject):
     def _on_move(self, event: QMouseEvent) -> bool:
         at, moved = event.position(), event.position() - self._last
         buttons = event.buttons()
+        self.pointed.emit((at.x(), at.y()))
         if not buttons:
             self._hover(at)
         elif self._grip is not None:
@@ -245,6 +248,7 @@ class Navigator(QObject):
 
     def _on_leave(self, event: QEvent) -> bool:  # noqa: ARG002
         self.hovered.emit(None)
+        self.pointed.emit(None)
         return False
 
     def _on_focus_out(self, event: QEvent) -> bool:  # noqa: ARG002

@@ -11,7 +11,7 @@ import numpy as np
 from qovr_app.view3d.camera import Camera, Size
 from qovr_app.view3d.mesh import surface_vertices
 from qovr_core.arrays import Array, read_only
-from qovr_core.patch import Patch
+from qovr_core.differential import ParametricSurface
 
 _CELLS = 36
 """Cells a side: the hidden parts of lines then end within a pixel or two of where the drawn surface
@@ -32,7 +32,7 @@ visible."""
 class Occluder:
     """A patch as seen by a camera, ready to be asked what it hides."""
 
-    def __init__(self, patch: Patch, camera: Camera, size: Size) -> None:
+    def __init__(self, patch: ParametricSurface, camera: Camera, size: Size) -> None:
         mesh = surface_vertices(patch, (_CELLS + 1, _CELLS + 1))[..., :3].astype(np.float64)
         self._camera, self._size = camera, size
         seen = _seen(mesh, camera, size)

@@ -17,10 +17,12 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.colourbar import draw_colour_bar
 from qovr_app.view3d.frame import Frame
+from qovr_app.view3d.note import draw_note
 from qovr_app.view3d.occlusion import Occluder
 from qovr_app.view3d.picture import Picture, has_colour_bar
+from qovr_app.view3d.readout import draw_readout
 from qovr_app.view3d.settings import Style
-from qovr_app.view3d.text import draw_text
+from qovr_app.view3d.text import NORMAL, draw_text, plain
 from qovr_app.view3d.theme import Rgb
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE
@@ -34,7 +36,9 @@ _LABEL_ROOM = (24.0, 13.0)
 _PIECES = 8
 """Pieces of a net or box edge: where the surface hides it is found to an eighth of its length."""
 
-_NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
+_NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH, _RIVAL_WIDTH = 1.0, 1.8, 1.0, 1.2
+_LEGEND, _LEGEND_LINE = (14.0, 36.0), 22.0
+"""Where the legend of a surface drawn over another begins, in logical pixels, and how long its line is."""
 _HIDDEN = 0.3
 """Opacity of what the surface hides."""
 
@@ -61,8 +65,14 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
         _draw_points(painter, picture, seen[start:], hidden[start:])
     if picture.settings.labels:
         _draw_labels(painter, picture, seen[start:], hidden[start:])
+    if picture.scene.rival_name:
+        _draw_legend(painter, picture)
     if has_colour_bar(picture.settings, size):
         draw_colour_bar(painter, picture, size)
+    if picture.settings.surface and picture.colouring.note:
+        draw_note(painter, picture.colouring.note, picture.theme, size)
+    if picture.probed is not None:
+        draw_readout(painter, picture, size)
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +101,8 @@ def _lines(picture: Picture) -> list[_Family]:
         families.append(_Family(scene.row_curves, theme.row_curve, _CURVE_WIDTH))
     if settings.column_curves:
         families.append(_Family(scene.column_curves, theme.column_curve, _CURVE_WIDTH))
+    if len(scene.rival_lines):
+        families.append(_Family(scene.rival_lines, theme.rival, _RIVAL_WIDTH))
     return families
 
 
@@ -144,6 +156,15 @@ def _draw_family(painter: QPainter, family: _Family, seen: Array, hidden: npt.ND
                     run = [QPointF(x, y) for x, y in line[start : stop + 1]]
                     painter.drawPolyline(QPolygonF(run))
         painter.drawLines(straight)
+
+
+def _draw_legend(painter: QPainter, picture: Picture) -> None:
+    """Say whose lines lie over the surface."""
+    theme, (x, y) = picture.theme, _LEGEND
+    painter.setPen(QPen(QColor(*theme.rival), 2 * _RIVAL_WIDTH))
+    painter.drawLine(QLineF(x, y, x + _LEGEND_LINE, y))
+    text = plain(picture.scene.rival_name)
+    draw_text(painter, text, (x + _LEGEND_LINE + 7, y), (0, 0.5), theme.ink, pixels=NORMAL, halo=theme.rim)
 
 
 def _draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: npt.NDArray[np.bool_]) -> None:

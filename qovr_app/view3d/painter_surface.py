@@ -9,10 +9,10 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
 from qovr_app.view3d.camera import Size
 from qovr_app.view3d.canvas import blank_image, painting
-from qovr_app.view3d.colourmaps import colours_of
 from qovr_app.view3d.mesh import Counts, surface_vertices
 from qovr_app.view3d.picture import Picture
-from qovr_app.view3d.settings import Style
+from qovr_app.view3d.reflection import DARK_STRIPE, LIGHT_STRIPE, isophote_parts, zebra_is_light
+from qovr_app.view3d.settings import ColourBy, Style
 from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_width
 from qovr_core.arrays import Array
 
@@ -44,7 +44,10 @@ def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
     if scene is None or not settings.surface:
         return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    vertices = surface_vertices(scene.patch, _counts(picture)).astype(np.float64)
+    counts = _counts(picture)
+    vertices = np.concatenate(
+        [surface_vertices(scene.patch, counts), picture.colouring.parts(counts)[..., None]], axis=-1, dtype=np.float64
+    )
     seen = picture.camera.project(vertices[..., :3], size)
     if settings.style is Style.POINTS:
         _paint_points(painter, picture, vertices, seen)
@@ -90,27 +93,40 @@ def _paint_cells(painter: QPainter, picture: Picture, vertices: Array, seen: Arr
 
 
 def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
-    """Return red, green and blue of every cell (k, 4, 6): by its first corner in facets, else by its
-    middle."""
-    low, high = picture.scene.unit_heights
-    colour_map = picture.settings.colour_map
-    if picture.settings.style is Style.FACETS:
-        return colours_of(cells[:, 0, 2], low, high, colour_map)
-    colours = colours_of(cells[..., 2].mean(axis=1), low, high, colour_map)
-    if picture.settings.style is Style.WIREFRAME:
+    """Return red, green and blue of every cell (k, 4, 7): by its first corner in facets, else by its middle."""
+    normals = _unit(cells[..., 3:6].mean(axis=1) @ picture.camera.axes.T)
+    if picture.has_facets:
+        return picture.colouring.colours(cells[:, 0, 6], picture.theme.undefined)
+    colours = _colours(picture, cells[..., :3].mean(axis=1), normals, cells[..., 6].mean(axis=1))
+    if picture.settings.style is not Style.SMOOTH:
         return colours
-    normals = cells[..., 3:].mean(axis=1) @ picture.camera.axes.T
-    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), np.finfo(float).tiny)
-    normals *= np.where(normals[:, 2:] < 0, -1, 1)
+    normals = normals * np.where(normals[:, 2:] < 0, -1, 1)
     key = np.maximum(normals @ _KEY_LIGHT, 0)
     light = 0.52 + 0.44 * key + 0.10 * normals[:, 2]
     return np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
 
 
+def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> npt.NDArray[np.uint8]:
+    """Return the unlit colours at points (k, 3) with unit normals (k, 3) in the camera's axes and parts (k,)."""
+    eye = picture.camera.eye
+    toward = _unit((eye[:3] - eye[3] * points) @ picture.camera.axes.T)
+    if picture.settings.colour_by is ColourBy.ZEBRA:
+        is_light = zebra_is_light(normals, toward)[:, None]
+        return np.where(is_light, np.array(LIGHT_STRIPE, np.uint8), np.array(DARK_STRIPE, np.uint8))
+    if picture.settings.colour_by is ColourBy.ISOPHOTES:
+        parts = isophote_parts(normals, toward)
+    return picture.colouring.colours(parts, picture.theme.undefined)
+
+
+def _unit(vectors: Array) -> Array:
+    """Return vectors (k, 3) brought to length 1; a vanishing one stays."""
+    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), np.finfo(float).tiny)
+
+
 def _paint_points(painter: QPainter, picture: Picture, vertices: Array, seen: Array) -> None:
-    flat, places = vertices.reshape(-1, 6), seen.reshape(-1, 3)
-    low, high = picture.scene.unit_heights
-    colours = colours_of(flat[:, 2], low, high, picture.settings.colour_map)
+    flat, places = vertices.reshape(-1, 7), seen.reshape(-1, 3)
+    normals = _unit(flat[:, 3:6] @ picture.camera.axes.T)
+    colours = _colours(picture, flat[:, :3], normals, flat[:, 6])
     order = np.argsort(-places[:, 2])
     for (x, y, depth), colour in zip(places[order].tolist(), colours[order].tolist(), strict=True):
         if np.isfinite(depth):

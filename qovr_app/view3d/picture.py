@@ -5,9 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_app.view3d.camera import Camera, Margins, Size
-from qovr_app.view3d.mesh import Counts, display_counts
+from qovr_app.view3d.colouring import PATTERNS, Colouring, colouring_of
+from qovr_app.view3d.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene import NetIndex, Scene
-from qovr_app.view3d.settings import DisplaySettings
+from qovr_app.view3d.settings import DisplaySettings, Style
 from qovr_app.view3d.theme import Theme, theme_of
 
 _BAR_ROOM = 104.0
@@ -28,6 +29,7 @@ class Picture:
     ----------
     scene : None before the first result
     moving : draw on a coarser grid, because the next frame is near
+    probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing
     """
 
@@ -37,6 +39,7 @@ class Picture:
     selected: NetIndex | None = None
     hovered: NetIndex | None = None
     moving: bool = False
+    probed: tuple[float, float] | None = None
     caption: str = ""
 
     @property
@@ -49,6 +52,21 @@ class Picture:
         if self.scene is None:
             return (2, 2)
         return display_counts(self.scene.document.samples, self.settings.style, moving=self.moving)
+
+    @property
+    def has_facets(self) -> bool:
+        """Whether every cell has one colour, that of its first corner."""
+        return self.settings.style is Style.FACETS and self.settings.colour_by not in PATTERNS
+
+    @property
+    def coloured_counts(self) -> Counts:
+        """The grid on which colours are given, along u and v."""
+        return facet_counts(self.scene.document.samples) if self.has_facets else self.counts
+
+    @property
+    def colouring(self) -> Colouring:
+        """What the colours say; the picture has a scene."""
+        return colouring_of(self.scene, self.settings, self.coloured_counts, moving=self.moving)
 
 
 def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:

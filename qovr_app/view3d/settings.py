@@ -23,8 +23,30 @@ class Style(StrEnum):
     POINTS = "points"
 
 
+class ColourBy(StrEnum):
+    """What the colours of the surface say: a field by its name, or a pattern that follows the camera."""
+
+    HEIGHT = "height"
+    GAUSSIAN = "gaussian"
+    MEAN = "mean"
+    LARGEST = "largest"
+    SMALLEST = "smallest"
+    DISTANCE = "distance"
+    SENSITIVITY = "sensitivity"
+    ZEBRA = "zebra"
+    ISOPHOTES = "isophotes"
+
+
+class ColourRange(StrEnum):
+    """Which values the ends of the colours stand for: all, all but a few, or two given ones."""
+
+    AUTO = "auto"
+    ROBUST = "robust"
+    FIXED = "fixed"
+
+
 class ColourMap(StrEnum):
-    """Height colours; ``JET`` is MATLAB's, as in the paper's figures."""
+    """Colours of what has no middle of its own; ``JET`` is MATLAB's, as in the paper's figures."""
 
     JET = "jet"
     TURBO = "turbo"
@@ -38,6 +60,13 @@ class Scaling(StrEnum):
 
     EACH = "each"
     EQUAL = "equal"
+
+
+class Placement(StrEnum):
+    """Where a surface stands that is compared with the document's: in a viewport of its own, or as lines over it."""
+
+    BESIDE = "beside"
+    OVER = "over"
 
 
 class Projection(StrEnum):
@@ -62,6 +91,9 @@ class DisplaySettings:
     layer: Layer = Layer.TRANSFORMED
     style: Style = Style.FACETS
     colour_map: ColourMap = ColourMap.JET
+    colour_by: ColourBy = ColourBy.HEIGHT
+    colour_range: ColourRange = ColourRange.AUTO
+    fixed_range: tuple[float, float] = (0.0, 1.0)
     scaling: Scaling = Scaling.EACH
     projection: Projection = Projection.PARALLEL
     theme: ThemeName = ThemeName.LIGHT
@@ -76,3 +108,4 @@ class DisplaySettings:
     surface_box: bool = False
     axes: bool = True
     colour_bar: bool = True
+    probe: bool = False

@@ -3,6 +3,7 @@ figures."""
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -41,6 +42,24 @@ right."""
 def plain(text: str) -> Runs:
     """Return a text without subscripts as runs."""
     return ((text, False),)
+
+
+def with_subscripts(text: str) -> Runs:
+    """Return a text as runs, in which the letters and digits after each ``_`` are a subscript."""
+    pieces = re.split(r"_([A-Za-z0-9]+)", text)
+    return tuple((piece, k % 2 == 1) for k, piece in enumerate(pieces) if piece)
+
+
+def wrapped(text: str, pixels: int, width: float) -> list[Runs]:
+    """Return a text in lines no wider than logical pixels, unless a single word is."""
+    lines: list[str] = []
+    for word in text.split():
+        longer = f"{lines[-1]} {word}" if lines else word
+        if lines and text_size(with_subscripts(longer), pixels)[0] <= width:
+            lines[-1] = longer
+        else:
+            lines.append(word)
+    return [with_subscripts(line) for line in lines]
 
 
 @lru_cache(maxsize=8)

@@ -15,7 +15,9 @@ class Theme:
 
     ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``accent`` is the control
     points and what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim`` parts marks
-    from the surface; ``series`` are five lines in one plot, by P_0..P_4 where they belong to points.
+    from the surface, ``undefined`` is the surface where what it shows has no value,
+    ``rival`` the lines of another surface over it; ``series`` are five lines in one plot, by P_0..P_4
+    where they belong to points.
     """
 
     background: Rgb
@@ -31,6 +33,8 @@ class Theme:
     column_curve: Rgb
     surface_line: Rgb
     series: tuple[Rgb, Rgb, Rgb, Rgb, Rgb]
+    undefined: Rgb
+    rival: Rgb
 
 
 _THEMES = {
@@ -48,6 +52,8 @@ _THEMES = {
         column_curve=(28, 100, 216),
         surface_line=(0, 0, 0),
         series=((201, 57, 43), (190, 112, 0), (20, 132, 88), (28, 100, 216), (128, 62, 178)),
+        undefined=(146, 149, 155),
+        rival=(190, 24, 120),
     ),
     ThemeName.DARK: Theme(
         background=(32, 35, 40),
@@ -63,6 +69,8 @@ _THEMES = {
         column_curve=(92, 157, 255),
         surface_line=(0, 0, 0),
         series=((255, 122, 108), (238, 176, 66), (74, 200, 142), (92, 157, 255), (190, 142, 245)),
+        undefined=(146, 149, 155),
+        rival=(255, 120, 200),
     ),
 }
 

@@ -3,33 +3,37 @@ document."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QPoint, QSize, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QResizeEvent
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QWidget
 
 from qovr_app.view3d.camera import NAMED_VIEWS, Camera, fitted
 from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.figure import FigureOptions, save_figure
 from qovr_app.view3d.frame import HALF_EXTENTS
 from qovr_app.view3d.navigator import Navigator
-from qovr_app.view3d.painter_viewport import PainterViewport
+from qovr_app.view3d.panes import Panes
 from qovr_app.view3d.picture import Picture, margins
-from qovr_app.view3d.probe import gl_support
-from qovr_app.view3d.scene import NetIndex, Result
-from qovr_app.view3d.settings import DisplaySettings, Layer, Projection
-from qovr_app.view3d.stage import Stage, shown_layers
+from qovr_app.view3d.probing import Place, place_under, reading_at
+from qovr_app.view3d.readout import readout_text
+from qovr_app.view3d.rival import Rival
+from qovr_app.view3d.scene import NetIndex, Result, Scene
+from qovr_app.view3d.settings import ColourBy, DisplaySettings, Layer, Projection
+from qovr_app.view3d.stage import Stage
 from qovr_app.view3d.turn import Turn
+from qovr_core import ParametricSurface
+from qovr_core.edits import KnotPlace
+from qovr_core.laboratory.fields import Range
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""
 
-_GAP = 1
-"""Pixels between two viewports."""
-
-_CAPTIONS = {Layer.RAW: "Raw", Layer.TRANSFORMED: "Transformed"}
+_LAYER_NAMES = {Layer.RAW: "raw", Layer.TRANSFORMED: "transformed"}
 
 
 class View3D(QWidget):
@@ -58,21 +62,19 @@ class View3D(QWidget):
         self._stage = Stage()
         self._selected: NetIndex | None = None
         self._hovered: NetIndex | None = None
+        self._pointer: tuple[int, float, float] | None = None
+        self._probed: Place | None = None
         self._moving = False
         self._is_fitted, self._dragging = True, False
-        self._viewports: dict[int, QWidget] = {}
-        self._navigators: list[Navigator] = []
-        self._uses_gl = gl_support().usable
-        if not self._uses_gl:
-            QTimer.singleShot(0, self, lambda: self.fell_back.emit(gl_support().reason))
+        self._panes = Panes(self, self.picture)
+        self._panes.navigator_made.connect(self._listen)
+        self._panes.painted.connect(self.frame_painted)
+        self._panes.fell_back.connect(self._on_fell_back)
         self._rest = QTimer(self, singleShot=True, interval=_REST_MILLISECONDS)
         self._rest.timeout.connect(self._refine)
         self._turn = Turn(self)
         self._turn.moved.connect(self._move_to)
-        layout = QHBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(_GAP)
-        self._arrange()
+        self._panes.arrange(self._count)
 
     def minimumSizeHint(self) -> QSize:
         return QSize(320, 240)
@@ -92,24 +94,25 @@ class View3D(QWidget):
     @property
     def uses_opengl(self) -> bool:
         """Whether the viewports are drawn by OpenGL, not by the painter."""
-        return self._uses_gl
+        return self._panes.uses_gl
 
     @property
     def viewports(self) -> list[QWidget]:
         """The viewports in use, from left to right."""
-        return [self._viewports[k] for k in range(len(self._layers))]
+        return [self._panes[k] for k in range(self._count)]
 
     def picture(self, viewport: int = 0) -> Picture:
         """Return what a viewport shows."""
-        layer = self._layers[viewport]
+        scene = self._stage.scene(viewport)
         return Picture(
             settings=self._settings,
             camera=self._camera,
-            scene=self._stage.scene(layer),
+            scene=scene,
             selected=self._selected,
             hovered=self._hovered,
             moving=self._moving,
-            caption=_CAPTIONS[layer] if len(self._layers) > 1 else "",
+            probed=self._probed,
+            caption=_caption(scene) if scene is not None and self._count > 1 else "",
         )
 
     def set_result(self, result: Result) -> None:
@@ -125,15 +128,45 @@ class View3D(QWidget):
         perspective = settings.projection is Projection.PERSPECTIVE
         self._camera = replace(self._camera, perspective=perspective)
         if before.layer is not settings.layer:
-            self._arrange()
+            self._panes.arrange(self._count)
         if self._is_fitted:
             self._camera = self._fitted(self._camera)
         self._show()
+
+    def set_rival(self, rival: Rival | None) -> None:
+        """Show another surface of the same control net beside the document's or over it, or none any more."""
+        self._stage.set_rival(rival, self._settings)
+        self._panes.arrange(self._count)
+        self._lay_out()
+
+    def set_reference(self, surface: ParametricSurface | None, name: str = "") -> None:
+        """Take distances from a surface in the document's units, or from none; it stays what it is now."""
+        self._look_with(ColourBy.DISTANCE, reference=surface, reference_name=name)
+
+    def set_focus_knot(self, knot: KnotPlace | None) -> None:
+        """Show the sensitivity to a knot, or to none."""
+        self._look_with(ColourBy.SENSITIVITY, knot=knot)
+
+    def _look_with(self, concerned: ColourBy, **changes: Any) -> None:
+        self._stage.set_companions(replace(self._stage.companions, **changes))
+        if self._settings.colour_by is concerned:
+            self._show()
 
     def select(self, i: int | None, j: int | None = None) -> None:
         """Mark a control point, or none."""
         self._selected = None if i is None or j is None else (i, j)
         self._show()
+
+    def probe_text(self) -> str:
+        """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
+        return "" if self._probed is None else readout_text(reading_at(self.picture().scene, self._probed))
+
+    def shown_range(self) -> tuple[str, Range]:
+        """Return what the colours say, and the values at their ends; not numbers where there are none."""
+        picture = self.picture()
+        if picture.scene is None:
+            return "", (math.nan, math.nan)
+        return picture.colouring.title, picture.colouring.limits
 
     # The camera
 
@@ -182,7 +215,7 @@ class View3D(QWidget):
 
     def _lay_out(self) -> None:
         """Give the viewports their places, and a fitted camera its distance."""
-        self.layout().setGeometry(self.rect())
+        self._panes.lay_out()
         if self._is_fitted:
             self._turn.stop()
             self._camera = self._fitted(self._camera)
@@ -223,61 +256,30 @@ class View3D(QWidget):
     # Viewports
 
     @property
-    def _layers(self) -> tuple[Layer, ...]:
-        return shown_layers(self._settings)
+    def _count(self) -> int:
+        return self._stage.count(self._settings)
 
-    def _arrange(self) -> None:
-        """Have one viewport for every shown layer."""
-        for k in range(len(self._layers)):
-            if k not in self._viewports:
-                self._viewports[k] = self._make_viewport(k)
-                self.layout().addWidget(self._viewports[k], 1)
-        for k, viewport in self._viewports.items():
-            viewport.setVisible(k < len(self._layers))
-        self.layout().activate()
-
-    def _make_viewport(self, number: int) -> QWidget:
-        viewport = self._gl_viewport(number) if self._uses_gl else PainterViewport(self.picture(number), self)
-        viewport.setAccessibleName("Surface")
-        viewport.painted.connect(self.frame_painted)
-        navigator = Navigator(viewport, lambda: self.picture(number))
+    def _listen(self, navigator: Navigator, number: int) -> None:
+        """Take the intents of a new viewport's navigator."""
         navigator.camera_requested.connect(self._on_camera_requested)
+        navigator.pointed.connect(lambda at: self._on_pointed(number, at))
         navigator.hovered.connect(self._on_hovered)
         navigator.selected.connect(self._on_selected)
         navigator.drag_started.connect(self._on_drag_started)
         navigator.dragged.connect(self.point_dragged)
         navigator.drag_finished.connect(self._on_drag_finished)
         navigator.drag_cancelled.connect(self._on_drag_cancelled)
-        self._navigators.append(navigator)
-        return viewport
 
-    def _gl_viewport(self, number: int) -> QWidget:
-        from qovr_app.view3d.gl_viewport import GlViewport
-
-        viewport = GlViewport(self.picture(number), self)
-        viewport.failed.connect(self._on_gl_failed)
-        return viewport
-
-    def _on_gl_failed(self, reason: str) -> None:
-        """Go on with the painter, after the frame that failed."""
-        if self._uses_gl:
-            self._uses_gl = False
-            QTimer.singleShot(0, self, lambda: self._fall_back(reason))
-
-    def _fall_back(self, reason: str) -> None:
-        for navigator in self._navigators:
-            navigator.finish()
-        self._navigators = []
-        for viewport in self._viewports.values():
-            self.layout().removeWidget(viewport)
-            viewport.hide()
-            viewport.deleteLater()
-        self._viewports = {}
-        self._arrange()
+    def _on_fell_back(self, reason: str) -> None:
         self._show()
         self.fell_back.emit(reason)
 
     # Intents
+
+    def _on_pointed(self, viewport: int, at: tuple[float, float] | None) -> None:
+        self._pointer = None if at is None else (viewport, *at)
+        if self._settings.probe:
+            self._show()
 
     def _on_hovered(self, index: NetIndex | None) -> None:
         if index != self._hovered:
@@ -320,6 +322,23 @@ class View3D(QWidget):
         self._moving = False
         self._show()
 
+    def _place_under_pointer(self) -> Place | None:
+        if self._pointer is None or not self._settings.probe or not self._settings.surface:
+            return None
+        number, x, y = self._pointer
+        scene = self.picture(number).scene if number < self._count else None
+        if scene is None:
+            return None
+        return place_under(scene, self._camera, self.viewports[number].logical_size, x, y)
+
     def _show(self) -> None:
+        self._probed = self._place_under_pointer()
         for k, viewport in enumerate(self.viewports):
             viewport.set_picture(self.picture(k))
+
+
+def _caption(scene: Scene) -> str:
+    """Return what tells a viewport from the one beside it."""
+    layer = "" if scene.is_rival else _LAYER_NAMES[scene.layer]
+    text = ", ".join(part for part in (scene.name, layer) if part)
+    return text[0].upper() + text[1:]

@@ -2,8 +2,12 @@ uniform sampler2D u_colours;
 #ifdef FACETS
 uniform highp sampler2D u_samples;
 uniform vec4 u_facets;
-uniform vec2 u_heights;
 #endif
+uniform vec3 u_undefined;
+uniform float u_no_value;
+uniform vec3 u_light_stripe;
+uniform vec3 u_dark_stripe;
+uniform vec3 u_degrees;
 uniform vec2 u_cells;
 uniform vec4 u_fine;
 uniform vec4 u_coarse;
@@ -11,9 +15,12 @@ uniform vec4 u_line;
 uniform float u_line_width;
 uniform float u_logical;
 
-in float v_height;
-#ifdef LIGHT
+#ifndef FACETS
+in float v_part;
+#endif
+#ifdef NORMALS
 in vec3 v_normal;
+in vec3 v_toward;
 #endif
 #ifdef CELLS
 in vec2 v_cell;
@@ -64,15 +71,47 @@ vec3 lit(vec3 colour) {
 }
 #endif
 
-void main() {
-#ifdef FACETS
-    // The height of the cell's first corner, as MATLAB's surf takes it; u runs along the rows of the texture.
-    vec2 cell = clamp(floor(v_cell * u_facets.zw), vec2(0.0), u_facets.xy);
-    float height = texelFetch(u_samples, ivec2(cell.yx), 0).r * u_heights.x + u_heights.y;
+vec3 map_colour(float part) {
+    return texture(u_colours, vec2(clamp(part, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
+}
+
+#ifdef ZEBRA
+// What the surface mirrors of a room with light and dark rings around the vertical.
+vec3 surface_colour() {
+    vec3 mirrored = reflect(-normalize(v_toward), normalize(v_normal));
+    float stripes = degrees(acos(clamp(mirrored.y, -1.0, 1.0))) / u_degrees.x;
+    float width = fwidth(stripes);
+    float light = clamp((abs(fract(stripes) - 0.5) - 0.25) / max(width, 1e-6) + 0.5, 0.0, 1.0);
+    // Where stripes come closer than two pixels they melt into one another.
+    return mix(u_dark_stripe, u_light_stripe, mix(light, 0.5, clamp(3.0 * width - 0.75, 0.0, 1.0)));
+}
+#elif defined(ISOPHOTES)
+// Bands of equal angle between the normal and the line of sight, with a line where one ends.
+vec3 surface_colour() {
+    float facing = abs(dot(normalize(v_toward), normalize(v_normal)));
+    float bands = degrees(acos(clamp(facing, 0.0, 1.0))) / u_degrees.y;
+    float last = u_degrees.z / u_degrees.y - 1.0;
+    float width = max(fwidth(bands), 1e-6);
+    float edge = clamp(floor(bands + 0.5), 1.0, last);
+    float pixels = (bands - edge) / width;
+    vec3 colour = mix(map_colour((edge - 1.0) / last), map_colour(edge / last), clamp(pixels + 0.5, 0.0, 1.0));
+    return colour * (1.0 - 0.45 * clamp(1.2 - abs(pixels), 0.0, 1.0) * clamp(1.5 - 4.0 * width, 0.0, 1.0));
+}
 #else
-    float height = v_height;
+vec3 surface_colour() {
+#ifdef FACETS
+    // The value at the cell's first corner, as MATLAB's surf takes it; u runs along the rows of the texture.
+    vec2 cell = clamp(floor(v_cell * u_facets.zw), vec2(0.0), u_facets.xy);
+    float part = texelFetch(u_samples, ivec2(cell.yx), 0).r;
+#else
+    float part = v_part;
 #endif
-    vec3 colour = texture(u_colours, vec2(clamp(height, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
+    return part < u_no_value ? u_undefined : map_colour(part);
+}
+#endif
+
+void main() {
+    vec3 colour = surface_colour();
 #ifdef POINTS
     vec2 from_middle = 2.0 * gl_PointCoord - 1.0;
     if (dot(from_middle, from_middle) > 1.0) discard;

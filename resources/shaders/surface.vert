@@ -3,15 +3,19 @@ uniform mat4 u_matrix;
 uniform mat3 u_view;
 uniform vec2 u_counts;
 uniform vec2 u_cells;
-uniform vec2 u_heights;
+uniform vec4 u_eye;
 uniform float u_point_size;
 
 in vec3 a_position;
 in vec3 a_normal;
+in float a_part;
 
-out float v_height;
-#ifdef LIGHT
+#ifndef FACETS
+out float v_part;
+#endif
+#ifdef NORMALS
 out vec3 v_normal;
+out vec3 v_toward;
 #endif
 #ifdef CELLS
 out vec2 v_cell;
@@ -23,9 +27,12 @@ void main() {
     float row = floor((float(gl_VertexID) + 0.5) / u_counts.y);
     v_cell = vec2(row, float(gl_VertexID) - row * u_counts.y) / (u_counts - 1.0) * u_cells;
 #endif
-    v_height = a_position.z * u_heights.x + u_heights.y;
-#ifdef LIGHT
+#ifndef FACETS
+    v_part = a_part;
+#endif
+#ifdef NORMALS
     v_normal = u_view * a_normal;
+    v_toward = u_view * (u_eye.xyz - u_eye.w * a_position);
 #endif
     gl_Position = u_matrix * vec4(a_position, 1.0);
 #ifdef POINTS

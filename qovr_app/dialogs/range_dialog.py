@@ -1,0 +1,65 @@
+"""Between which two values the colours of the surface are spread."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
+
+from qovr_app.dialogs.buttons import without_icons
+from qovr_app.panels.numbers import number_text, typed_number
+
+Range = tuple[float, float]
+
+
+class RangeDialog(QDialog):
+    """Asks for a lower and an upper end; ``limits`` holds them once the dialog was accepted.
+
+    Parameters
+    ----------
+    title : what the values are
+    limits : what the fields begin with
+    """
+
+    def __init__(self, title: str, limits: Range, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("Fixed Colour Range")
+        self.setObjectName("colour_range")
+        self._low, self._high = (self._end(name, value) for name, value in zip(("low", "high"), limits, strict=True))
+        self._note = QLabel(objectName="colour_range.note")
+        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
+        buttons.accepted.connect(self.accept)
+        buttons.rejected.connect(self.reject)
+        self._ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
+        form = QFormLayout(self)
+        form.addRow(QLabel(title))
+        form.addRow("&From", self._low)
+        form.addRow("&To", self._high)
+        form.addRow(self._note)
+        form.addRow(without_icons(buttons))
+        for field in (self._low, self._high):
+            field.textChanged.connect(self._check)
+        self._low.selectAll()
+        self._check()
+
+    def _end(self, name: str, value: float) -> QLineEdit:
+        return QLineEdit(number_text(value), objectName=f"colour_range.{name}", accessibleName=f"Colours, {name} end")
+
+    @property
+    def limits(self) -> Range:
+        """The ends as they are typed, as long as they can be accepted."""
+        low, high = (typed_number(field.text()) for field in (self._low, self._high))
+        return low, high
+
+    def _check(self) -> None:
+        """Say what is wrong with the fields, and let nothing wrong be accepted."""
+        reason = ""
+        for name, end in zip(("lower", "upper"), self.limits, strict=True):
+            if not isinstance(end, float) or not math.isfinite(end):
+                reason = f"The {name} end is no number; expected one as 0.35 or -2e-4."
+                break
+        else:
+            if not self.limits[0] < self.limits[1]:
+                reason = "The upper end has to lie above the lower one."
+        self._note.setText(reason)
+        self._ok.setEnabled(not reason)

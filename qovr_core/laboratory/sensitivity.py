@@ -1,0 +1,95 @@
+"""How the surface answers to one knot: the exact derivative dS/dknot, itself a patch."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from qovr_core.arrays import Array
+from qovr_core.document import NET_SIZE, Document, Formulation
+from qovr_core.edits import Direction, KnotPlace, knots_of
+from qovr_core.formulations import active_rows
+from qovr_core.knots import knot_array
+from qovr_core.patch import Patch
+from qovr_core.pipeline import AlignedPatch, Layer, parameters
+from qovr_core.weights import weight_coefficients, weight_slopes
+
+_KNOT_NAMES = "rsut"
+
+_ATTAINED = 1e-12
+"""A sample this part of the largest coordinate away from a side of the box touches it: the rest is rounding."""
+
+_ROWS_AT_A_TIME = 64
+"""Rows of samples looked at together, so that a fine grid is never held as a whole."""
+
+
+def knot_sensitivity(result: AlignedPatch, place: KnotPlace, layer: Layer) -> Patch:
+    """Return dS/dknot as a patch whose points are vectors, in the document's units per unit of the knot.
+
+    Kernels, transformations and, for the interpolating surface, the blends with their mean knots are differentiated
+    analytically. The cut kernels of the published surface are step functions of their knots; there the derivative is
+    that of the same surface with its kernels uncut. For the transformed layer T follows: it depends on the samples
+    at which the raw box is attained. Where several attain it together, its slope is one thing for a rising and another
+    for a falling knot, and the mean of the two is taken. A knot without effect has the derivative zero.
+
+    Parameters
+    ----------
+    result : the surface whose answer is asked for
+    place : the knot
+    layer : of which of its two surfaces
+    """
+    raw = Patch(_raw_slope(result.document, place))
+    return raw if layer is Layer.RAW else _transformed_slope(result, raw)
+
+
+def _raw_slope(document: Document, place: KnotPlace) -> Array:
+    """Return the derivative of the raw surface as patch coefficients (7, 7, 3).
+
+    In a product of sums (27) one curve changes; in the Boolean sum so does the blend along it, with its mean knots.
+    The net is turned so that the knot's own family of curves runs along its rows.
+    """
+    is_row = place.direction is Direction.ROWS
+    if is_row and place.curve not in active_rows(document.formulation):
+        return np.zeros((7, 7, 3))
+    net = document.control_points if is_row else document.control_points.transpose(1, 0, 2)
+    other = Direction.COLUMNS if is_row else Direction.ROWS
+    own_knots, other_knots = (knot_array(knots_of(document, family)) for family in (place.direction, other))
+    knot = _KNOT_NAMES.index(place.name)
+    curve_slope = weight_slopes(own_knots[place.curve])[knot] @ net[place.curve]
+    across = weight_coefficients(other_knots) @ net.transpose(1, 0, 2)
+    if document.formulation is Formulation.INTERPOLATING:
+        blend_slope = weight_slopes(own_knots.mean(axis=0))[knot] / NET_SIZE
+        blend_across = weight_coefficients(other_knots.mean(axis=0))
+        beyond_the_net = across - blend_across @ net.transpose(1, 0, 2)
+        slope = np.tensordot(blend_slope, beyond_the_net, axes=1)
+        slope += curve_slope[:, None] * blend_across[None, :, place.curve, None]
+    else:
+        entering = list(range(NET_SIZE) if is_row else active_rows(document.formulation))
+        slope = curve_slope[:, None] * across[entering].sum(axis=0)
+    return slope if is_row else slope.transpose(1, 0, 2)
+
+
+def _transformed_slope(result: AlignedPatch, raw: Patch) -> Patch:
+    """Return d(m S + n) = m dS + dm S + dn for the diagonal m and the shift n of (61)-(65)."""
+    low, high = result.raw_box.T
+    slope_low, slope_high = _box_slopes(result, raw)
+    scale = result.matrix.diagonal()[:3]
+    is_flat = np.isin(list("xyz"), result.flat_axes)
+    scale_slope = np.where(is_flat, 0.0, -scale * (slope_high - slope_low) / np.where(is_flat, 1.0, high - low))
+    shift_slope = -scale_slope * low - scale * slope_low
+    return Patch(scale * raw.coefficients + scale_slope * result.patch.coefficients + shift_slope)
+
+
+def _box_slopes(result: AlignedPatch, raw: Patch) -> tuple[Array, Array]:
+    """Return the derivatives of the raw box's low and high sides, each (3,)."""
+    u, v = (parameters(samples) for samples in result.document.samples)
+    reach = _ATTAINED * np.abs(result.raw_box).max(axis=1)
+    sides = (result.raw_box[:, 0] + reach, result.raw_box[:, 1] - reach)
+    least, most = np.full((2, 3), np.inf), np.full((2, 3), -np.inf)
+    for start in range(0, len(u), _ROWS_AT_A_TIME):
+        rows = u[start : start + _ROWS_AT_A_TIME]
+        points, slopes = result.patch.points(rows, v), raw.points(rows, v)
+        for side, attained in enumerate((points <= sides[0], points >= sides[1])):
+            least[side] = np.minimum(least[side], np.where(attained, slopes, np.inf).min(axis=(0, 1)))
+            most[side] = np.maximum(most[side], np.where(attained, slopes, -np.inf).max(axis=(0, 1)))
+    low, high = (least + most) / 2
+    return low, high
