@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from itertools import pairwise
@@ -33,8 +34,8 @@ SHARES = (0.01, 0.10)
 _MOTION_SAMPLES = 201
 """Samples each way of the displacement: a share of the area is then told to about half a percent."""
 
-_DISTANCE_SAMPLES = 65
-"""Samples each way whose distance from another surface is taken."""
+_DISTANCE_SAMPLES, _FINER_SAMPLES = 33, 9
+"""Samples each way whose distance from another surface is taken, and between the neighbours of the farthest."""
 
 _JOINT_SAMPLES = 101
 
@@ -190,26 +191,42 @@ def compare(document: Document, point: tuple[int, int] = DEFAULT_POINT, weight: 
     Parameters and errors are those of ``Trial``.
     """
     trial = Trial(document, point, weight)
-    return Comparison(trial, {contender: measure(trial, contender) for contender in Contender})
+    return Comparison(trial, {found[0]: found[1] for found in comparison_steps(trial) if found is not None})
 
 
-def measure(trial: Trial, contender: Contender) -> Measures:
-    """Measure one of the surfaces."""
-    surface, moved = (trial.surface(contender, moved=moved) for moved in (False, True))
+def comparison_steps(trial: Trial) -> Iterator[tuple[Contender, Measures] | None]:
+    """Measure one surface after the other, in pieces of some ten milliseconds that end with None."""
     qovr = trial.surface(Contender.QOVR)
-    inner = trial.document.control_points[1:-1, 1:-1].reshape(-1, 3)
+    for contender in Contender:
+        measures = yield from _measure(trial, contender, qovr)
+        yield contender, measures
+
+
+def _measure(trial: Trial, contender: Contender, qovr: ParametricSurface) -> Generator[None, None, Measures]:
+    """Measure one surface, piece by piece."""
+    surface, moved = (trial.surface(contender, moved=moved) for moved in (False, True))
     u = np.linspace(0.0, 1.0, _MOTION_SAMPLES)
     motion = np.linalg.norm(moved.points(u, u) - surface.points(u, u), axis=2)
+    areas = _areas(surface, u)
+    yield
+    inner = trial.document.control_points[1:-1, 1:-1].reshape(-1, 3)
+    breaks = interior_joints(surface)
+    from_points, jumps = closest_points(surface, inner).distance.max(), joints(surface, breaks)
+    energy = bending_energy(surface, breaks)
+    yield
+    from_qovr = 0.0 if contender is Contender.QOVR else largest_distance(surface, qovr)
+    yield
+    of_qovr = 0.0 if contender is Contender.QOVR else largest_distance(qovr, surface)
     return Measures(
         largest_motion=float(motion.max()),
-        shares=_shares(motion, _areas(surface, u)),
+        shares=_shares(motion, areas),
         edge_motion=_edge_motion(motion),
         corner_motion=read_only(motion[[[0], [-1]], [0, -1]]),
-        distance_from_points=float(closest_points(surface, inner).distance.max()),
-        joints=joints(surface, interior_joints(surface)),
-        bending_energy=bending_energy(surface, interior_joints(surface)),
-        distance_from_qovr=0.0 if contender is Contender.QOVR else largest_distance(surface, qovr),
-        distance_of_qovr=0.0 if contender is Contender.QOVR else largest_distance(qovr, surface),
+        distance_from_points=float(from_points),
+        joints=jumps,
+        bending_energy=energy,
+        distance_from_qovr=from_qovr,
+        distance_of_qovr=of_qovr,
     )
 
 
@@ -221,9 +238,23 @@ def interior_joints(surface: ParametricSurface) -> tuple[Array, Array]:
 
 
 def largest_distance(surface: ParametricSurface, other: ParametricSurface) -> float:
-    """Return the largest distance of a surface from another: of 65 x 65 of its points, border and corners included."""
+    """Return the largest distance of a surface from another.
+
+    It is that of 33 x 33 of its points, border and corners included, and of a finer grid around the farthest.
+    """
     u = np.linspace(0.0, 1.0, _DISTANCE_SAMPLES)
-    return float(closest_points(other, surface.points(u, u).reshape(-1, 3)).distance.max())
+    distance = _distances(surface, other, u, u)
+    farthest = np.unravel_index(distance.argmax(), distance.shape)
+    finer = (
+        np.linspace(u[max(k - 1, 0)], u[min(k + 1, _DISTANCE_SAMPLES - 1)], _FINER_SAMPLES) for k in map(int, farthest)
+    )
+    return float(_distances(surface, other, *finer).max())
+
+
+def _distances(surface: ParametricSurface, other: ParametricSurface, u: Array, v: Array) -> Array:
+    """Return the distance of a surface's points on a grid from another surface, (n, m)."""
+    distance = closest_points(other, surface.points(u, v).reshape(-1, 3)).distance
+    return distance.reshape(len(u), len(v))
 
 
 def bending_energy(surface: ParametricSurface, breaks: tuple[Array, Array]) -> float:

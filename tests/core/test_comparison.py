@@ -191,6 +191,14 @@ def test_the_distance_of_two_planes():
     assert largest_distance(above, bezier(FLAT)) == pytest.approx(2.5, abs=1e-13)
 
 
+def test_the_largest_distance_is_met_between_samples():
+    bumpy = FLAT.copy()
+    bumpy[1, 1, 2], bumpy[2, 3, 2], bumpy[3, 1, 2] = 1.0, 0.7, -0.4
+    fine = np.linspace(0, 1, 1201)
+    highest = np.abs(bezier(bumpy).points(fine, fine)[..., 2]).max()  # over the plane z = 0, which reaches as far
+    assert largest_distance(bezier(bumpy), bezier(FLAT)) == pytest.approx(highest, rel=1e-4)
+
+
 def test_which_surfaces_run_through_the_inner_points():
     document = Document(random_net(6), formulation=Formulation.INTERPOLATING)
     measures = compare(document).measures
