@@ -11,8 +11,8 @@ from qovr_core.laboratory.claims import Claim, Finding, Verdict
 
 _WIDTH = 110
 _INDENT = " " * 17
-_COLUMNS = (Formulation.INTERPOLATING, Formulation.DOUBLE_SUM, Formulation.PUBLISHED)
-"""The README's order: the surface that the paper's claims describe comes first."""
+_NOTED = Formulation.INTERPOLATING
+"""The README notes what was found for the surface that the paper's claims describe."""
 
 
 def by_claim(findings: Iterable[Finding]) -> Iterator[tuple[Claim, list[Finding]]]:
@@ -45,14 +45,14 @@ def _details(finding: Finding) -> Iterator[str]:
 
 def findings_markdown(findings: Iterable[Finding]) -> str:
     """Return the table "what the paper says, what is so" for GitHub; a number in brackets is the measured one."""
-    titles = ["the paper says", "where", "measured", *(f"`{formulation}`" for formulation in _COLUMNS)]
+    titles = ["the paper says", "where", "measured", *(f"`{formulation}`" for formulation in Formulation)]
     rows = [titles, ["---"] * len(titles)]
     for claim, of_claim in by_claim(findings):
         cells = {finding.formulation: _cell(finding) for finding in of_claim}
-        first = next(finding for finding in of_claim if finding.formulation is _COLUMNS[0])
-        if first.here.note:
-            cells[_COLUMNS[0]] += f"; {first.here.note}"
-        rows.append([claim.text, claim.where, first.here.what, *(cells[formulation] for formulation in _COLUMNS)])
+        noted = next(finding.here for finding in of_claim if finding.formulation is _NOTED)
+        if noted.note:
+            cells[_NOTED] += f"; {noted.note}"
+        rows.append([claim.text, claim.where, noted.what, *(cells[formulation] for formulation in Formulation)])
     return "\n".join(f"| {' | '.join(_escaped(cell) for cell in row)} |" for row in rows)
 
 
