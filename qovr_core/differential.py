@@ -33,6 +33,9 @@ class ParametricSurface(Protocol):
         """Return the curvatures on a grid."""
 
 
+_NO_DIRECTION = np.array([0.0, 0.0, 1.0])
+
+
 @dataclass(frozen=True)
 class Curvature:
     """Gaussian and mean curvature, each float64 of one shape; NaN where the tangents are dependent.
@@ -77,3 +80,54 @@ def curvature(su: Array, sv: Array, suu: Array, suv: Array, svv: Array, *, singu
     gaussian = (h_uu * h_vv - h_uv * h_uv) / area
     mean = (g_uu * h_vv - 2 * g_uv * h_uv + g_vv * h_uu) / (2 * area)
     return Curvature(read_only(gaussian), read_only(mean))
+
+
+def surface_curvature(surface: ParametricSurface, u: npt.ArrayLike, v: npt.ArrayLike, *, singular: float) -> Curvature:
+    """Return the curvatures of a surface on a grid of (n,) and (m,) parameters; ``singular`` as in ``curvature``."""
+    orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+    return curvature(*(surface.derivative(u, v, *order) for order in orders), singular=singular)
+
+
+def normals(surface: ParametricSurface, u: npt.ArrayLike, v: npt.ArrayLike, *, singular: float) -> Array:
+    """Return the unit normals of a surface along S_u x S_v on a grid.
+
+    Where the tangents are dependent, as on an edge drawn together into a point, the normal is its limit
+    on the way to the domain's centre; where that limit is not of first order, it is (0, 0, 1).
+
+    Parameters
+    ----------
+    u, v : (n,) and (m,) parameters
+    singular : the length of S_u x S_v up to which the tangents count as dependent
+
+    Returns
+    -------
+    (n, m, 3) float64, read-only, every vector of length 1
+
+    Raises
+    ------
+    ValueError : u or v is not one-dimensional
+    """
+    vectors = np.cross(surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1))
+    lengths = np.linalg.norm(vectors, axis=-1)
+    is_singular = lengths <= singular
+    if is_singular.any():
+        inward = _normals_inward(surface, np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64), singular)
+        vectors[is_singular] = inward[is_singular]
+        lengths[is_singular] = 1
+    vectors /= lengths[..., None]
+    return read_only(vectors)
+
+
+def _normals_inward(surface: ParametricSurface, u: Array, v: Array, singular: float) -> Array:
+    """Return the unit derivative of S_u x S_v toward the domain's centre; (0, 0, 1) where it vanishes."""
+    su, sv = surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1)
+    suu, suv, svv = (surface.derivative(u, v, *orders) for orders in ((2, 0), (1, 1), (0, 2)))
+    to_u, to_v = (0.5 - u)[:, None, None], (0.5 - v)[None, :, None]
+    vectors: Array = to_u * (np.cross(suu, sv) + np.cross(su, suv))
+    vectors += to_v * (np.cross(suv, sv) + np.cross(su, svv))
+    lengths = np.linalg.norm(vectors, axis=-1)
+    vanished = lengths <= singular
+    vectors[vanished] = _NO_DIRECTION
+    lengths[vanished] = 1
+    unit: Array = vectors / lengths[..., None]
+    return unit

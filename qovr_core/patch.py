@@ -8,17 +8,15 @@ from enum import StrEnum
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core import bernstein, extent, grid
+from qovr_core import bernstein, differential, extent, grid
 from qovr_core.arrays import Array, read_only
-from qovr_core.differential import Curvature, curvature
+from qovr_core.differential import Curvature
 
 PATCH_DEGREE = 6
 """Degree each way in which every patch is held, whatever its true degree."""
 
 _SINGULAR = 1e-12
 """|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
-
-_NO_DIRECTION = np.array([0.0, 0.0, 1.0])
 
 
 class Edge(StrEnum):
@@ -126,32 +124,8 @@ class Patch:
         return read_only(np.einsum("kb,kbd->kd", basis_v, along_v))
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
-        """Return the unit normals along S_u x S_v on a grid.
-
-        Where the tangents are dependent, as on an edge drawn together into a point, the normal is its limit
-        on the way to the patch's centre; where that limit is not of first order, it is (0, 0, 1).
-
-        Parameters
-        ----------
-        u, v : (n,) and (m,) parameters
-
-        Returns
-        -------
-        (n, m, 3) float64, read-only, every vector of length 1
-
-        Raises
-        ------
-        ValueError : u or v is not one-dimensional
-        """
-        normals = np.cross(self.derivative(u, v, 1, 0), self.derivative(u, v, 0, 1))
-        lengths = np.linalg.norm(normals, axis=-1)
-        singular = lengths <= self._rounding_of_a_normal()
-        if singular.any():
-            inward = self._normals_inward(np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64))
-            normals[singular] = inward[singular]
-            lengths[singular] = 1
-        normals /= lengths[..., None]
-        return read_only(normals)
+        """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""
+        return differential.normals(self, u, v, singular=self._rounding_of_a_normal())
 
     def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
         """Return the curvatures on a grid, from the two fundamental forms.
@@ -164,8 +138,7 @@ class Patch:
         ------
         ValueError : u or v is not one-dimensional
         """
-        orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-        return curvature(*(self.derivative(u, v, *order) for order in orders), singular=self._rounding_of_a_normal())
+        return differential.surface_curvature(self, u, v, singular=self._rounding_of_a_normal())
 
     def edge(self, edge: Edge) -> Array:
         """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
@@ -197,17 +170,3 @@ class Patch:
         """Return the length below which S_u x S_v is no more than rounding."""
         tangents = (np.abs(bernstein.derivative(self.coefficients, axis)).max() for axis in (0, 1))
         return float(_SINGULAR * np.prod(list(tangents)))
-
-    def _normals_inward(self, u: Array, v: Array) -> Array:
-        """Return the unit derivative of S_u x S_v toward the domain's centre; (0, 0, 1) where it vanishes."""
-        su, sv = self.derivative(u, v, 1, 0), self.derivative(u, v, 0, 1)
-        suu, suv, svv = (self.derivative(u, v, *orders) for orders in ((2, 0), (1, 1), (0, 2)))
-        to_u, to_v = (0.5 - u)[:, None, None], (0.5 - v)[None, :, None]
-        normals: Array = to_u * (np.cross(suu, sv) + np.cross(su, suv))
-        normals += to_v * (np.cross(suv, sv) + np.cross(su, svv))
-        lengths = np.linalg.norm(normals, axis=-1)
-        vanished = lengths <= self._rounding_of_a_normal()
-        normals[vanished] = _NO_DIRECTION
-        lengths[vanished] = 1
-        unit: Array = normals / lengths[..., None]
-        return unit

@@ -1,0 +1,216 @@
+"""The classical tensor-product surfaces of a 5 x 5 net, which the paper's Table 2 sets beside its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cache
+from math import comb
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+from scipy.interpolate import BSpline, CubicHermiteSpline
+
+from qovr_core import differential, grid
+from qovr_core.arrays import Array, read_only
+from qovr_core.differential import Curvature
+from qovr_core.document import NET_SIZE
+
+_SINGULAR = 1e-12
+"""|S_u x S_v| below this part of the product of the net's longest steps is rounding, and no direction."""
+
+
+@dataclass(frozen=True, eq=False)
+class Basis:
+    """Five basis functions over [0, 1].
+
+    Parameters
+    ----------
+    functions : called with parameters (n,) and an order of derivative, it returns (n, 5); at a joint the
+        derivatives are those from the right, beyond [0, 1] the outer polynomials go on
+    breaks : (q,) the joints inside (0, 1) where two polynomials meet
+    """
+
+    functions: Callable[[Array, int], Array]
+    breaks: Array
+
+    def __call__(self, parameters: npt.ArrayLike, order: int) -> Array:
+        """Return the derivatives of all five functions, (n, 5); parameters that are no list raise ValueError."""
+        x = np.asarray(parameters, dtype=np.float64)
+        if x.ndim != 1:
+            raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
+        values: Array = self.functions(x, order)
+        return values
+
+
+@dataclass(frozen=True, eq=False)
+class TensorSurface:
+    """A surface S(u, v) = sum_ij B_j(u) B_i(v) w_ij P_ij / sum_ij B_j(u) B_i(v) w_ij over [0, 1] x [0, 1].
+
+    As for the QOVR surface, u runs along row i, over j, and v along column j, over i.
+
+    Parameters
+    ----------
+    net : (5, 5, 3) control points, ``[i, j]`` is P_{i,j}; kept as read-only float64
+    basis : the five functions that serve along u and along v
+    weights : (5, 5), positive; None for a surface that is not rational
+
+    Raises
+    ------
+    ValueError : the net or the weights have another shape, or a weight is not positive and finite
+    """
+
+    net: Array
+    basis: Basis
+    weights: Array | None = None
+
+    def __post_init__(self) -> None:
+        net = np.array(self.net, dtype=np.float64)
+        if net.shape != (NET_SIZE, NET_SIZE, 3):
+            raise ValueError(f"the net has shape {net.shape}; expected (5, 5, 3)")
+        object.__setattr__(self, "net", read_only(net))
+        if self.weights is not None:
+            object.__setattr__(self, "weights", _checked_weights(self.weights))
+
+    @property
+    def breaks(self) -> tuple[Array, Array]:
+        """The joints inside (0, 1) in u and in v, across which the surface is another polynomial."""
+        return self.basis.breaks, self.basis.breaks
+
+    def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the points S(u, v) on a grid of (n,) and (m,) parameters, (n, m, 3) indexed [iu, iv]."""
+        return self.derivative(u, v, 0, 0)
+
+    def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative of S on a grid; at a joint the one from the right.
+
+        Parameters
+        ----------
+        u, v : (n,) and (m,) parameters
+        order_u, order_v : order of the derivative in u and in v
+
+        Returns
+        -------
+        (n, m, 3) float64, read-only, indexed [iu, iv]
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional, or an order is negative
+        """
+        return self._evaluated(u, v, order_u, order_v, grid.evaluate)
+
+    def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative of S at scattered parameters (k,) and (k,), (k, 3), as ``derivative`` does."""
+        return self._evaluated(u, v, order_u, order_v, _evaluate_scattered)
+
+    def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""
+        return differential.normals(self, u, v, singular=self._rounding_of_a_normal())
+
+    def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
+        """Return the curvatures on a grid, at a joint those from the right."""
+        return differential.surface_curvature(self, u, v, singular=self._rounding_of_a_normal())
+
+    def transformed(self, matrix: npt.ArrayLike) -> TensorSurface:
+        """Return the surface mapped by a (4, 4) affine matrix that acts on columns [x y z 1]."""
+        m = np.asarray(matrix, dtype=np.float64)
+        return replace(self, net=self.net @ m[:3, :3].T + m[:3, 3])
+
+    def _evaluated(
+        self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int, evaluate: Callable[..., Array]
+    ) -> Array:
+        if min(order_u, order_v) < 0:
+            raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 or more")
+        along_u = [self.basis(u, order) for order in range(order_u + 1)]
+        along_v = [self.basis(v, order) for order in range(order_v + 1)]
+        if self.weights is None:
+            return read_only(evaluate(self.net.transpose(1, 0, 2), along_u[-1], along_v[-1]))
+        weighted = np.concatenate([self.weights[..., None] * self.net, self.weights[..., None]], axis=2)
+        coefficients = np.ascontiguousarray(weighted.transpose(1, 0, 2))
+        lifted = [[evaluate(coefficients, a, b) for b in along_v] for a in along_u]
+        return read_only(_quotient_derivative(lifted))
+
+    def _rounding_of_a_normal(self) -> float:
+        longest_steps = (np.abs(np.diff(self.net, axis=axis)).max() for axis in (0, 1))
+        return float(_SINGULAR * np.prod(list(longest_steps)))
+
+
+def bezier(net: npt.ArrayLike) -> TensorSurface:
+    """Return the bi-quartic Bezier surface of a net (5, 5, 3)."""
+    return TensorSurface(np.asarray(net), _b_spline_basis(4))
+
+
+def b_spline(net: npt.ArrayLike) -> TensorSurface:
+    """Return the clamped uniform bi-cubic B-spline surface of a net (5, 5, 3): 2 x 2 polynomials, C2."""
+    return TensorSurface(np.asarray(net), _b_spline_basis(3))
+
+
+def nurbs(net: npt.ArrayLike, weights: npt.ArrayLike) -> TensorSurface:
+    """Return the clamped uniform bi-cubic NURBS surface of a net (5, 5, 3) and weights (5, 5)."""
+    return TensorSurface(np.asarray(net), _b_spline_basis(3), np.asarray(weights))
+
+
+def catmull_rom(net: npt.ArrayLike) -> TensorSurface:
+    """Return the uniform Catmull-Rom surface of a net (5, 5, 3): 2 x 2 bi-cubic patches, C1.
+
+    It runs through the inner nine points; like the QOVR surface it begins and ends at P_1 and P_3.
+    """
+    return TensorSurface(np.asarray(net), _catmull_rom_basis())
+
+
+@cache
+def _b_spline_basis(degree: int) -> Basis:
+    """Return the five B-splines of a degree over clamped uniform knots; of degree 4 they are Bernstein's."""
+    breaks = np.linspace(0.0, 1.0, NET_SIZE - degree + 1)[1:-1]
+    knots = np.concatenate([np.zeros(degree + 1), breaks, np.ones(degree + 1)])
+    return _basis(BSpline(knots, np.eye(NET_SIZE), degree), breaks)
+
+
+@cache
+def _catmull_rom_basis() -> Basis:
+    """Return the cardinal functions of P_0..P_4: P_1, P_2, P_3 are met at 0, 1/2, 1, half the chord is the tangent."""
+    unit = np.eye(NET_SIZE)
+    pieces = 2
+    tangents = pieces * (unit[2:] - unit[:-2]) / 2
+    return _basis(CubicHermiteSpline(np.linspace(0.0, 1.0, pieces + 1), unit[1:-1], tangents), np.array([0.5]))
+
+
+def _basis(spline: Any, breaks: Array) -> Basis:
+    def functions(parameters: Array, order: int) -> Array:
+        values: Array = spline(parameters, nu=order)
+        return values
+
+    return Basis(functions, read_only(breaks))
+
+
+def _checked_weights(weights: npt.ArrayLike) -> Array:
+    checked = np.array(weights, dtype=np.float64)
+    if checked.shape != (NET_SIZE, NET_SIZE):
+        raise ValueError(f"the weights have shape {checked.shape}; expected (5, 5)")
+    if not (np.isfinite(checked) & (checked > 0)).all():
+        raise ValueError("a weight is not positive and finite; expected positive weights")
+    return read_only(checked)
+
+
+def _evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
+    """Return a tensor-product function at scattered parameters, (k, d), from bases (k, 5) and (k, 5)."""
+    along_v = np.tensordot(basis_u, coefficients, axes=1)
+    values: Array = np.einsum("kb,kbd->kd", basis_v, along_v)
+    return values
+
+
+def _quotient_derivative(lifted: list[list[Array]]) -> Array:
+    """Return the highest partial derivative of A / w by Leibniz' rule for A = S w.
+
+    ``lifted[k][l]`` is the derivative of order (k, l) of (A, w), (..., 4).
+    """
+    result: dict[tuple[int, int], Array] = {}
+    for k, row in enumerate(lifted):
+        for m, value in enumerate(row):
+            numerator = value[..., :3].copy()
+            for (a, b), lower in result.items():
+                if a <= k and b <= m:
+                    numerator -= comb(k, a) * comb(m, b) * lifted[k - a][m - b][..., 3:] * lower
+            result[k, m] = numerator / lifted[0][0][..., 3:]
+    return result[len(lifted) - 1, len(lifted[0]) - 1]
