@@ -9,12 +9,13 @@ from dataclasses import replace
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QSplitter, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.claims_table import FORMULATIONS, MARKS, ClaimsTable, number
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.panels.look import SPACE
 from qovr_app.panels.parts import CompactButton
+from qovr_app.panels.splitter import LineSplitter
 from qovr_app.panels.symbols import symbol_html
 from qovr_app.view3d.theme import Theme
 from qovr_core import AlignedPatch, Document, QovrError
@@ -26,7 +27,7 @@ QUIET_MILLISECONDS = 300
 """After the last change it is so long quiet before the verdicts are looked for again."""
 
 _ALL = len(CLAIMS) * len(FORMULATIONS)
-_FIRST_WIDTHS = (400, 250)
+_FIRST_WIDTHS = (450, 200)
 
 
 class ClaimsPanel(LaboratoryPanel):
@@ -52,6 +53,7 @@ class ClaimsPanel(LaboratoryPanel):
             self, objectName="laboratory.claims.details", accessibleName="What is behind the verdict"
         )
         self._details.setFrameShape(QTextBrowser.Shape.NoFrame)
+        self._details.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._counterexample = self._button("counterexample", "Open a document on which the claim fails")
         self._example = self._button("example", "Open a document that shows what was found")
         self._state = QLabel(self, objectName="laboratory.claims.state")
@@ -59,6 +61,9 @@ class ClaimsPanel(LaboratoryPanel):
         self._progress.setRange(0, _ALL)
         self._progress.setTextVisible(False)
         self._progress.setFixedHeight(SPACE)
+        policy = self._progress.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._progress.setSizePolicy(policy)
         self._arrange()
 
     @property
@@ -122,7 +127,8 @@ class ClaimsPanel(LaboratoryPanel):
     def _show_state(self, text: str) -> None:
         self._state.setText(text)
         self._state.setToolTip(text)
-        self._progress.setValue(0 if self.is_current else self._found)
+        self._progress.setValue(self._found)
+        self._progress.setVisible(not self.is_current)
 
     # What is behind a verdict
 
@@ -162,7 +168,7 @@ class ClaimsPanel(LaboratoryPanel):
         right.setSpacing(SPACE)
         right.addWidget(self._details, 1)
         right.addLayout(buttons)
-        splitter = QSplitter(Qt.Orientation.Horizontal, self)
+        splitter = LineSplitter("laboratory.claims.splitter", Qt.Orientation.Horizontal, self)
         splitter.setChildrenCollapsible(False)
         splitter.addWidget(self._table)
         splitter.addWidget(behind)
@@ -190,14 +196,15 @@ def _details_html(finding: Finding) -> str:
         failing = "this document itself"
     paragraphs = [
         f"<b>{_rich(claim.id)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
-        f"<b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}, for {finding.formulation}.",
+        f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
         f"Here the claim {'holds' if here.holds else 'fails'}: {_rich(here.what)} <b>{number(here.value)}</b>.",
         f"In all trials: {number(finding.largest)} at most.",
-        f"{_rich(here.note)}." if here.note else "",
+        f"Found: {_rich(here.note)}." if here.note else "",
         f"Counterexample: {failing}." if failing else "",
     ]
     return "".join(f"<p>{text}</p>" for text in paragraphs if text)
 
 
 def _rich(text: str) -> str:
-    return _SYMBOL.sub(lambda found: symbol_html(found[1], found[2]), html.escape(text))
+    symbols = _SYMBOL.sub(lambda found: symbol_html(found[1], found[2]), html.escape(text))
+    return symbols.replace("^-1", "<sup>−1</sup>")

@@ -27,8 +27,9 @@ FORMULATIONS = tuple(Formulation)
 _FIRST, _SECOND, _IS_OLD, _FINDING = (Qt.ItemDataRole.UserRole + k for k in range(4))
 _LINES = 2
 _SMALLER = 0.88
-_COLUMN_WIDTH = 104
+_COLUMN_WIDTH = 112
 _OLD_OPACITY = 0.4
+_LARGEST_WHOLE = 1e5
 
 
 class ClaimsTable(QTableWidget):
@@ -110,6 +111,7 @@ class ClaimsTable(QTableWidget):
     def _arrange_headers(self) -> None:
         self.setHorizontalHeaderLabels(["claim", *map(str, FORMULATIONS)])
         across, down = self.horizontalHeader(), self.verticalHeader()
+        across.setStyleSheet(f"QHeaderView::section {{ border: none; padding: {SPACE}px {2 * SPACE}px; }}")
         across.setHighlightSections(False)
         across.setSectionsClickable(False)
         across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
@@ -133,8 +135,12 @@ class ClaimsTable(QTableWidget):
 
 
 def number(value: float) -> str:
-    """Return a measured number as the panel writes it."""
-    return f"{value:.2g}".replace("-", "−")
+    """Return a measured number as the panel writes it: whole from 100 on, else two digits, one before an exponent."""
+    text = f"{value:.0f}" if 100 <= value < _LARGEST_WHOLE else f"{value:.2g}"
+    if "e" in text:
+        mantissa, exponent = f"{value:.0e}".split("e")
+        text = f"{mantissa}e{int(exponent)}"
+    return text.replace("-", "−")
 
 
 class _TwoLines(QStyledItemDelegate):
@@ -151,9 +157,12 @@ class _TwoLines(QStyledItemDelegate):
         return QSize(_COLUMN_WIDTH, _LINES * self.parent().fontMetrics().height() + 2 * SPACE)
 
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
-        option.text = ""
-        option.widget.style().drawControl(QStyle.ControlElement.CE_ItemViewItem, option, painter, option.widget)
         painter.save()
+        if option.state & QStyle.StateFlag.State_Selected:
+            painter.fillRect(option.rect, look().accent_cell)
+            if option.widget.hasFocus():
+                painter.setPen(look().accent)
+                painter.drawRect(option.rect.adjusted(0, 0, -1, -1))
         area = option.rect.adjusted(2 * SPACE, SPACE, -SPACE, -SPACE)
         half = area.height() // _LINES
         if index.data(_IS_OLD):

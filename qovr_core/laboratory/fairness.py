@@ -10,6 +10,7 @@ from qovr_core.document import Document
 from qovr_core.formulations import build_patch
 from qovr_core.laboratory.claims import Measurement
 from qovr_core.laboratory.rounding import ROUNDING, largest
+from qovr_core.laboratory.splines import catmull_rom
 
 ISOLINES = 9
 """Isolines looked at in each direction."""
@@ -23,8 +24,6 @@ DEAD_BAND = 0.01
 
 def fairness(document: Document) -> Measurement:
     """The surface has no wave-like artifacts (abstract, 5.3): no more waves than Catmull-Rom has on the same net."""
-    from qovr_core.laboratory.splines import catmull_rom
-
     own = sign_changes(build_patch(document))
     others = sign_changes(catmull_rom(document.control_points))
     return Measurement(

@@ -193,6 +193,6 @@ def _motion(edges: Array, size: float, noise: float) -> EdgeMotion:
     """Compare the edges after each move with the first, which are those before."""
     distances = np.linalg.norm(edges[1:] - edges[0], axis=-1)
     largest_of_edge = distances.max(axis=-1)
-    parts = largest_of_edge / size if size else largest_of_edge
+    parts = largest_of_edge / (size or 1.0)
     corners = distances[:, :, [0, -1]].max()
     return EdgeMotion(parts, largest_of_edge.max(axis=-1) <= noise, part_of(float(corners), size))

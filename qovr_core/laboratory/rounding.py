@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 from qovr_core.arrays import Array
 
 ROUNDING = 1e-12
@@ -17,7 +15,5 @@ def largest(array: Array) -> float:
 
 
 def part_of(value: float, whole: float) -> float:
-    """Return a value as part of a whole; where there is no whole, 0 for nothing and infinity for something."""
-    if whole:
-        return value / whole
-    return 0.0 if value == 0 else math.inf
+    """Return a value as part of a whole; of a surface that is drawn together into a point, the value itself."""
+    return value / (whole or 1.0)

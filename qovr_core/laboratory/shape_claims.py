@@ -26,7 +26,7 @@ POINT_STEP = 0.1
 FITS = 0.05
 """A law that misses no displacement by more than this part of the largest one describes it, as a picture shows it."""
 
-_FALLS_NOTICEABLY = 0.01
+_NOTICED = 0.01
 """A displacement above this part of the largest one counts as moved."""
 
 _LENGTHS = np.geomspace(0.02, 20, 30)
@@ -44,15 +44,16 @@ def local(document: Document) -> Measurement:
     misfits = np.array([misfit_of_exponential(displacement) for displacement in moved])
     worst = int(misfits.argmax())
     centre = moved[_CENTRE]
-    share = float((centre > _FALLS_NOTICEABLY * centre.max()).mean())
+    share = float((centre > _NOTICED * centre.max()).mean())
     on_edges = max(centre[0].max(), centre[-1].max(), centre[:, 0].max(), centre[:, -1].max())
-    part_on_edges = on_edges / centre.max() if centre.max() else 0.0
+    part_on_edges = part_of(float(on_edges), float(centre.max()))
+    edges = f"moves its edges by up to {part_on_edges:.2g} of that" if part_on_edges > ROUNDING else "keeps its edges"
     return Measurement(
         value=float(misfits[worst]),
         what="misfit of the best exponential, of the largest displacement",
         holds=bool(misfits[worst] <= FITS),
-        note=f"worst for P_{worst // NET_SIZE},{worst % NET_SIZE}; moving P_2,2 moves {share:.0%} of the surface "
-        f"noticeably and its edges by up to {part_on_edges:.2g} of the largest displacement",
+        note=f"worst for P_{worst // NET_SIZE},{worst % NET_SIZE}; moving P_2,2 moves {share:.0%} of the surface by "
+        f"more than {_NOTICED:.0%} of the largest displacement and {edges}",
     )
 
 
