@@ -6,11 +6,12 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import Document, Edge, Formulation, Knots, bernstein, build_patch, edits
+from qovr_core import Document, Edge, Formulation, Knots, Patch, align_patch, bernstein, build_patch, edits
 from qovr_core.edits import Direction
-from qovr_core.laboratory import curve_claims, joint_claims, knot_claims, shape_claims
+from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
 from qovr_core.laboratory.claims import Claim, Condition, Measurement, Verdict, decide
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
+from qovr_core.laboratory.splines import catmull_rom
 from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
 from qovr_core.presets import preset
 from qovr_core.weights import weight_coefficients
@@ -343,3 +344,44 @@ def test_a_flat_raw_surface_has_no_scale():
     assert not finding.here.holds
     assert "no extent along z" in finding.here.note
     assert decide(CLAIM["boxes"], document, INTERPOLATING).verdict is TRUE
+
+
+# --- fairness ---------------------------------------------------------------------------------------------------------
+
+
+def graph(height):
+    """Return a polynomial patch z = height(x, y) over the unit square, x = u, y = v."""
+    places = np.linspace(0, 1, 7)
+    u, v = np.meshgrid(places, places, indexing="ij")
+    inverse = np.linalg.inv(bernstein.basis(6, places))
+    return Patch(np.einsum("ai,bj,ijk->abk", inverse, inverse, np.stack([u, v, height(u, v)], axis=-1)))
+
+
+@pytest.mark.parametrize(
+    ("height", "changes"),
+    [
+        (lambda x, y: 2 + 3 * x - y, 0),  # a plane
+        (lambda x, y: x**2 - y**2, 0),  # a saddle bends one way along every isoline
+        (lambda x, y: (x - 0.5) ** 3 + y**2, 9),  # one inflection on each line of one direction
+        (lambda x, y: (x - 0.5) ** 3 * (y - 0.5) ** 3, 16),  # both ways, but not on the middle line
+        (lambda x, y: (x - 0.3) ** 4 - 0.1 * (x - 0.3) ** 2, 18),  # two on each
+    ],
+)
+def test_waves_are_counted(height, changes):
+    patch = graph(height)
+    assert fairness.sign_changes(patch) == changes
+    assert fairness.sign_changes(patch.transformed(np.diag([3.0, 0.5, 40.0, 1.0]))) == changes
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_fairness_is_decided_by_the_document_against_catmull_rom(seed):
+    document = random_document(seed)
+    others = fairness.sign_changes(catmull_rom(document.control_points))
+    for formulation in Formulation:
+        finding = decide(CLAIM["fairness"], document, formulation)
+        own = fairness.sign_changes(build_patch(replace(document, formulation=formulation)))
+        assert finding.here.value == own
+        assert finding.verdict is (TRUE if own <= others else FALSE)
+        assert str(others) in finding.here.note
+        aligned = align_patch(replace(document, formulation=formulation))
+        assert fairness.sign_changes(aligned.transformed_patch) == own
