@@ -48,6 +48,9 @@ class PanelEntry:
 
 PANELS = (
     PanelEntry("curve", "One &curve", "One curve of the surface with all its parts", "curve_panel", "CurvePanel"),
+    PanelEntry(
+        "claims", "C&laims", "What the paper says of its surfaces, and what is so", "claims_panel", "ClaimsPanel"
+    ),
 )
 """All panels, in the order of their tabs."""
 
