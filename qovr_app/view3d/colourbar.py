@@ -34,7 +34,7 @@ _TICK_GAP = 6.0
 
 _ARROW = 9.0
 _FACTOR_GAP = 9.0
-_PLAIN_POWERS = range(-2, 4)
+_PLAIN_POWERS = range(-1, 4)
 """Powers of ten of numbers that are written in full; what is smaller or larger has its power over the bar."""
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")

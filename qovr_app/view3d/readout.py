@@ -16,8 +16,8 @@ from qovr_app.view3d.text import SMALL, draw_text, plain, with_subscripts
 _CORNER = (10.0, 34.0)
 """Below the caption that tells two viewports apart."""
 
-_PAD, _ROW, _LABEL, _COLUMN = 8.0, 16.0, 62.0, 66.0
-_DIGITS = 6
+_PAD, _ROW, _LABEL, _COLUMN = 8.0, 16.0, 62.0, 68.0
+_DIGITS = 5
 _RING = 5.0
 
 Rows = list[tuple[str, tuple[float, ...]]]
