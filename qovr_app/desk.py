@@ -18,7 +18,7 @@ from qovr_app.panels.notice import Notice
 from qovr_app.preferences import Preferences
 from qovr_app.recovery import RecoveryStore, Unsaved
 from qovr_app.session import DOCUMENT_SUFFIX, Session
-from qovr_core import QovrError
+from qovr_core import Document, QovrError
 from qovr_core.files.sources import PRESET_PREFIX, READERS
 
 if TYPE_CHECKING:
@@ -84,6 +84,13 @@ class Desk(QObject):
             self._remember(Path(source))
         self.told.emit(f"Opened {self._session.title}", False)
         self.opened.emit(self._session.title if is_preset else "")
+
+    def open_document(self, document: Document, title: str) -> None:
+        """Open a document that the program made, after asking about unsaved changes."""
+        if self.may_leave():
+            self._session.start(document, title)
+            self.told.emit(f"Opened {title}", False)
+            self.opened.emit("")
 
     @property
     def recent(self) -> list[Path]:

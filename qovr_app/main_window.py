@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent, QGuiApplication
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.actions import make_actions
@@ -14,8 +14,8 @@ from qovr_app.appearance import NAME, theme
 from qovr_app.controller import Controller, State
 from qovr_app.desk import Desk
 from qovr_app.dialogs.help_dialog import HelpDialog
+from qovr_app.laboratory.place import check_shown, laboratory_commands
 from qovr_app.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
-from qovr_app.panels.numbers import block_text
 from qovr_app.preferences import Preferences
 from qovr_app.recovery import Keeper, RecoveryStore
 from qovr_app.session import Session
@@ -91,6 +91,7 @@ class MainWindow(QMainWindow):
             *window_commands(self),
             *view_commands(self._settings, self._set_settings, lambda: self._settings, self._look, self._fit),
             *go_commands(self),
+            *laboratory_commands(self.workspace.laboratory),
             *help_commands(self),
         ]
         self.commands = make_actions(self._table, self)
@@ -117,6 +118,9 @@ class MainWindow(QMainWindow):
         space.points.point_focused.connect(self._on_point_focused)
         surface.export_requested.connect(self.export)
         surface.figure_requested.connect(self.desk.save_figure)
+        space.laboratory.panel_changed.connect(lambda name: check_shown(self.commands, name))
+        space.laboratory.document_requested.connect(self.desk.open_document)
+        space.laboratory.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.opened.connect(self._on_opened)
         self.session.opened.connect(space.drop_text)
@@ -149,6 +153,7 @@ class MainWindow(QMainWindow):
 
     def _on_point_selected(self, index: tuple[int, int] | None) -> None:
         self.workspace.points.mark_point(index)
+        self.workspace.set_focus(index)
         if index is None:
             self._message.clear()
             return
@@ -235,21 +240,6 @@ class MainWindow(QMainWindow):
         curves, directions = (self.commands[name].isChecked() for name in ("link_curves", "link_directions"))
         for zone in (self.workspace.rows, self.workspace.columns):
             zone.set_links(curves=curves, directions=directions)
-
-    def copy_zone(self) -> None:
-        """Copy the zone that has the keyboard as a spreadsheet takes it."""
-        zone = self.workspace.current_zone()
-        QGuiApplication.clipboard().setText(block_text(zone.copied_block()))
-        self.tell(f"Copied the {zone.accessibleName().lower()}")
-
-    def copy_plane(self) -> None:
-        """Copy one coordinate of all control points as a spreadsheet takes it."""
-        QGuiApplication.clipboard().setText(block_text(self.workspace.points.copied_plane()))
-        self.tell("Copied one coordinate of all control points")
-
-    def paste_zone(self) -> None:
-        """Paste a spreadsheet's block into the zone that has the keyboard."""
-        self.workspace.current_zone().paste_block(QGuiApplication.clipboard().text())
 
     def save(self) -> None:
         """Save the document, with what is just being typed."""

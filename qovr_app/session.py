@@ -127,6 +127,12 @@ class Session(QObject):
         self.history.clear()
         self._begin(document)
 
+    def start(self, document: Document, title: str) -> None:
+        """Go on with a new document, which has no file yet."""
+        self._title, self._path = title, None
+        self.history.clear()
+        self._begin(document)
+
     def restore(self, document: Document, title: str, path: Path | None) -> None:
         """Go on with a document that was never saved to its file."""
         self._title, self._path = title, path

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtGui import QKeySequence
 
 from qovr_app.actions import Command
+from qovr_app.clipboard import clipboard_commands
 from qovr_core.files.sources import PRESET_PREFIX
 from qovr_core.presets import presets
 
@@ -75,30 +76,7 @@ def _edit_commands(window: MainWindow) -> list[Command]:
     return [
         Command("undo", "&Undo", history.undo, "&Edit", key.Undo),
         Command("redo", "&Redo", history.redo, "&Edit", key.Redo),
-        Command(
-            "copy_zone",
-            "Copy &zone",
-            window.copy_zone,
-            "&Edit",
-            "Ctrl+Shift+C",
-            tip="Copy all numbers of the zone for a spreadsheet; control points as 25 rows of X, Y, Z",
-        ),
-        Command(
-            "copy_plane",
-            "Copy one coor&dinate, 5 × 5",
-            window.copy_plane,
-            "&Edit",
-            "Ctrl+Alt+C",
-            tip="Copy the coordinate in which the keyboard is, of all points, as the net lies",
-        ),
-        Command(
-            "paste_zone",
-            "&Paste into zone",
-            window.paste_zone,
-            "&Edit",
-            "Ctrl+Shift+V",
-            tip="Paste a spreadsheet's block: 25 x 3 or 5 x 5 for the points, the whole table for knots",
-        ),
+        *clipboard_commands(space, window.tell),
         Command(
             "get_values",
             "&Get Values",

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtCore import QByteArray, Qt, Signal
 from PySide6.QtWidgets import QApplication, QSizePolicy, QToolBar, QVBoxLayout, QWidget
 
 from qovr_app.controller import Controller, State
+from qovr_app.laboratory.panel import Focus
+from qovr_app.laboratory.place import LaboratoryPlace
 from qovr_app.panels.field import NumberField
 from qovr_app.panels.knots_zone import KnotsZone
 from qovr_app.panels.points_zone import PointsZone
@@ -13,16 +15,26 @@ from qovr_app.panels.splitter import LineSplitter
 from qovr_app.panels.surface_zone import SurfaceZone
 from qovr_app.panels.zone import FieldZone
 from qovr_app.view_place import ViewPlace
-from qovr_core.edits import Direction
+from qovr_core.edits import Direction, KnotPlace
 
 _LEFT, _MIDDLE = 264, 364
 """First widths of the two columns: as narrow as four digits stay readable, which leaves the view half of 1280."""
 
 _LOWER = 260
 
+_VIEW, _LABORATORY = 4000, 330
+"""First heights on the view's side: the laboratory keeps its own, and the view gets what is left."""
+
 
 class Workspace(LineSplitter):
-    """Zones and view in splitters. It hands states to the zones and the zones' intents to the controller."""
+    """Zones, view and laboratory in splitters. It hands states to the zones and their intents to the controller.
+
+    Signals
+    -------
+    focus_changed : the KnotPlace whose field has the keyboard, or the (i, j) of the point selected, whichever came last
+    """
+
+    focus_changed = Signal(object)
 
     def __init__(self, controller: Controller, parent: QWidget | None = None) -> None:
         super().__init__("workspace", Qt.Orientation.Horizontal, parent)
@@ -31,6 +43,8 @@ class Workspace(LineSplitter):
         self.points = PointsZone(self)
         self.surface = SurfaceZone(self)
         self.place = ViewPlace(self)
+        self.laboratory = LaboratoryPlace(self)
+        self.focus: Focus = None
         self.field_zones: tuple[FieldZone, ...] = (self.rows, self.columns, self.points)
         self._splitters: dict[str, LineSplitter] = {"workspace": self}
         self._panels = QWidget(self)
@@ -50,6 +64,12 @@ class Workspace(LineSplitter):
             zone.show_documents(state.document, state.draft)
         self.surface.show_state(state.document, state.result, is_stale=state.is_stale)
         self.place.set_stale(state.is_stale)
+
+    def set_focus(self, focus: Focus) -> None:
+        """Take note of what the user has turned to; letting go of a point leaves a knot in focus."""
+        if focus != self.focus and not (focus is None and isinstance(self.focus, KnotPlace)):
+            self.focus = focus
+            self.focus_changed.emit(focus)
 
     def commit_typed(self) -> None:
         """Take what is typed in the field that has the keyboard, as leaving the field would."""
@@ -87,7 +107,11 @@ class Workspace(LineSplitter):
         inner = self._splitter("columns", Qt.Orientation.Horizontal, left, middle)
         inner.setSizes([_LEFT, _MIDDLE])
         inner.setStretchFactor(1, 1)
-        for side, content in ((self._panels, inner), (self._view_side, self.place)):
+        outer = self._splitter("laboratory", Qt.Orientation.Vertical, self.place, self.laboratory)
+        outer.setChildrenCollapsible(False)
+        outer.setSizes([_VIEW, _LABORATORY])
+        outer.setStretchFactor(0, 1)
+        for side, content in ((self._panels, inner), (self._view_side, outer)):
             layout = QVBoxLayout(side)
             layout.setContentsMargins(0, 0, 0, 0)
             layout.setSpacing(0)
@@ -124,3 +148,9 @@ class Workspace(LineSplitter):
         self.surface.configure_requested.connect(controller.configure)
         self.surface.refused.connect(controller.refused)
         controller.state_changed.connect(self.show_state)
+        for knots in (self.rows, self.columns):
+            knots.knot_focused.connect(self.set_focus)
+        self.points.point_focused.connect(lambda i, j: self.set_focus((i, j)))
+        controller.result_changed.connect(self.laboratory.show_result)
+        self.focus_changed.connect(self.laboratory.show_focus)
+        self.laboratory.values_edited.connect(controller.edit)

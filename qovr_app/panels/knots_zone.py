@@ -34,9 +34,11 @@ class KnotsZone(FieldZone):
     Signals
     -------
     formulation_requested : a Formulation under which every knot has an effect
+    knot_focused : the KnotPlace whose field has the keyboard now
     """
 
     formulation_requested = Signal(object)
+    knot_focused = Signal(object)
     _check = staticmethod(checked_knot)
 
     def __init__(self, direction: Direction, parent: QWidget | None = None) -> None:
@@ -123,6 +125,7 @@ class KnotsZone(FieldZone):
     def _on_focused(self, place: Place) -> None:
         super()._on_focused(place)
         self._show_slider()
+        self.knot_focused.emit(place)
 
     def _on_slider_moved(self, value: float, gesture: int) -> None:
         self.fields[self._focused].revert()

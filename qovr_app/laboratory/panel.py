@@ -1,0 +1,42 @@
+"""What every panel of the laboratory is told, and what it may ask for."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.view3d.scene import NetIndex
+from qovr_app.view3d.theme import Theme
+from qovr_core import AlignedPatch
+from qovr_core.edits import KnotPlace
+
+Focus = KnotPlace | NetIndex | None
+"""The knot whose field has the keyboard, or the control point (i, j) that is selected, whichever came last."""
+
+
+class LaboratoryPanel(QWidget):
+    """A panel that shows something of the configured surface and changes nothing by itself.
+
+    While it is visible, its place tells it the theme, the focus and the latest result: once when it becomes visible,
+    and then whenever they change, at most once in a turn of the event loop.
+
+    Signals
+    -------
+    document_requested : a Document to open as a new one, and its title
+    values_edited : a dict of places and values that one intent changes, and its gesture, 0 for none
+    told : a sentence for the message line, and whether it is a refusal
+    """
+
+    document_requested = Signal(object, str)
+    values_edited = Signal(object, int)
+    told = Signal(str, bool)
+
+    def show_result(self, result: AlignedPatch) -> None:
+        """Show a result."""
+        raise NotImplementedError
+
+    def show_focus(self, focus: Focus) -> None:
+        """Show what belongs to the knot or point in focus; panels that have nothing to do with it do nothing."""
+
+    def show_theme(self, theme: Theme) -> None:
+        """Draw in other colours; panels that take all of theirs from the palette do nothing."""
