@@ -10,10 +10,12 @@ from qovr_core import bernstein
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import Document
 from qovr_core.edits import KnotPlace, set_point, set_values, value_at
+from qovr_core.formulations import build_patch
 from qovr_core.laboratory.falloff import Falloff, falloff
+from qovr_core.laboratory.levels import area_above
 from qovr_core.laboratory.still_lines import still_lines
 from qovr_core.patch import PATCH_DEGREE, Edge, Patch
-from qovr_core.pipeline import AlignedPatch, Layer, align_patch, parameters
+from qovr_core.pipeline import Layer, align_patch, parameters
 
 SAMPLES = 101
 """Samples along u and v, the paper's; a share of the area is then known to about 0.0002."""
@@ -126,12 +128,12 @@ def default_amount(document: Document, place: KnotPlace) -> float:
     return DEFAULT_PART if value_at(document, place) + DEFAULT_PART < 1 else -DEFAULT_PART
 
 
-def influence(result: AlignedPatch, change: Change, layer: Layer) -> Influence:
+def influence(document: Document, change: Change, layer: Layer) -> Influence:
     """Return what a change of one point or knot does to a surface.
 
     Parameters
     ----------
-    result : the surface before the change
+    document : what defines the surface before the change
     change : what is changed
     layer : which surface; for the transformed one T of (61)-(65) is computed again after the change, as
         ``configure`` does
@@ -139,9 +141,9 @@ def influence(result: AlignedPatch, change: Change, layer: Layer) -> Influence:
     Raises
     ------
     DocumentError : the change leads to no valid document
-    EvaluationError : after the change the coordinates are not finite in double precision
+    EvaluationError : before or after the change the coordinates are not finite in double precision
     """
-    displacement = _displacement(result, change.applied(result.document), layer)
+    displacement = _displacement(document, change.applied(document), layer)
     u = v = parameters(SAMPLES)
     magnitude = read_only(_lengths(displacement, u, v))
     u_peak, v_peak, largest = _peak(displacement, u, magnitude)
@@ -165,22 +167,27 @@ def influence(result: AlignedPatch, change: Change, layer: Layer) -> Influence:
     )
 
 
-def _displacement(before: AlignedPatch, after: Document, layer: Layer) -> Patch:
+def _displacement(before: Document, after: Document, layer: Layer) -> Patch:
     """Return the difference of the two surfaces; what is rounding in it is exactly 0."""
-    moved = align_patch(after)
-    difference = moved.layer_patch(layer).coefficients - before.layer_patch(layer).coefficients
-    rounding = np.maximum(_rounding(before, layer), _rounding(moved, layer))
-    difference[np.abs(difference) <= rounding] = 0.0
+    (old, old_rounding), (new, new_rounding) = (_surface(document, layer) for document in (before, after))
+    difference = new - old
+    difference[np.abs(difference) <= np.maximum(old_rounding, new_rounding)] = 0.0
     return Patch(difference)
 
 
-def _rounding(result: AlignedPatch, layer: Layer) -> Array:
-    """Return up to how much a difference of coordinates is rounding, (3,); T magnifies that of the raw surface."""
-    raw: Array = np.abs(result.patch.coefficients).max(axis=(0, 1))
+def _surface(document: Document, layer: Layer) -> tuple[Array, Array]:
+    """Return a surface's coefficients (7, 7, 3), and up to how much a difference of coordinates is rounding, (3,)."""
     if layer is Layer.RAW:
-        return _ROUNDING * raw
+        patch = build_patch(document)
+        return patch.coefficients, _ROUNDING * _size(patch)
+    result = align_patch(document)
     scale, shift = np.diag(result.matrix)[:3], np.abs(result.matrix[:3, 3])
-    return _ROUNDING * np.maximum(scale * raw, shift)
+    return result.transformed_patch.coefficients, _ROUNDING * np.maximum(scale * _size(result.patch), shift)
+
+
+def _size(patch: Patch) -> Array:
+    size: Array = np.abs(patch.coefficients).max(axis=(0, 1))
+    return size
 
 
 def _lengths(displacement: Patch, u: Array, v: Array) -> Array:
@@ -207,27 +214,6 @@ def _reach(magnitude: Array, fall: Falloff | None, part: float, largest: float) 
         return Reach(part, 0.0, 0.0)
     distance = fall.distance[magnitude > part * largest].max(initial=0.0)
     return Reach(part, area_above(magnitude, part * largest), float(distance))
-
-
-def area_above(values: Array, level: float) -> float:
-    """Return the share of the unit square on which a function exceeds a level.
-
-    Parameters
-    ----------
-    values : (n, m) on a regular grid over the unit square; between the samples the function is taken as linear on
-        the two triangles of every cell
-    """
-    excess = values - level
-    diagonal = [excess[1:, :-1], excess[:-1, 1:]]
-    triangles = np.stack([np.stack([corner, *diagonal]) for corner in (excess[:-1, :-1], excess[1:, 1:])], axis=1)
-    above = np.count_nonzero(triangles > 0, axis=0)
-    low, middle, high = np.sort(triangles[:, (above == 1) | (above == 2)], axis=0)
-    # The line through a cut triangle parts one corner from the two others, and cuts a similar triangle off.
-    is_one_above = middle <= 0
-    alone = np.where(is_one_above, high, low)
-    cut_off = alone**2 / ((high - low) * np.abs(alone - middle))
-    area = np.count_nonzero(above == 3) + np.where(is_one_above, cut_off, 1 - cut_off).sum()
-    return float(area / above.size)
 
 
 def _largest_along(edge: Array) -> float:

@@ -5,17 +5,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from qovr_core import Document, DocumentError, Edge, Formulation, Knots, Layer, align_patch, bernstein, configure
+from qovr_core import Document, DocumentError, Edge, Formulation, Knots, Layer, bernstein, configure
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, fit_exponential
 from qovr_core.laboratory.influence import (
     KnotMove,
     PointMove,
-    area_above,
     default_amount,
     influence,
     net_size,
 )
+from qovr_core.laboratory.levels import area_above, level_line
 from qovr_core.presets import preset
 from qovr_core.weights import weight_coefficients
 from support.documents import documents, knots, random_document, random_net, seeds
@@ -35,7 +35,7 @@ def interpolating(seed=1, rows=None, columns=None):
 
 
 def of(document, change, layer=Layer.RAW):
-    return influence(align_patch(document), change, layer)
+    return influence(document, change, layer)
 
 
 def magnitude_at(found, u, v):
@@ -60,7 +60,7 @@ def test_the_displacement_is_that_of_two_whole_pipelines(document, i, j, vector,
     change = PointMove(i, j, vector)
     before, after = configure(document), configure(change.applied(document))
     name = "raw" if layer is Layer.RAW else "transformed"
-    found = influence(before, change, layer)
+    found = influence(document, change, layer)
     expected = getattr(after, name) - getattr(before, name)
     scale = np.abs(getattr(after, name)).max() + np.abs(getattr(before, name)).max()
     assert np.abs(found.displacement.points(before.u, before.v) - expected).max() <= 1e-9 * scale
@@ -234,6 +234,22 @@ def test_shares_of_the_area():
     assert area_above(grid_u - 0.3 * grid_v, 0.4) == pytest.approx(0.45, abs=1e-12)
     assert area_above(0.16 - (grid_u - 0.5) ** 2 - (grid_v - 0.5) ** 2, 0) == pytest.approx(np.pi * 0.16, abs=2e-4)
     assert (area_above(grid_u, 2.0), area_above(grid_u, -1.0), area_above(0 * grid_u, 0.0)) == (0, 1, 0)
+
+
+def test_the_line_of_a_level():
+    u = np.linspace(0, 1, 101)
+    grid_u, grid_v = np.meshgrid(u, u, indexing="ij")
+    straight = level_line(grid_u - 0.3 * grid_v, 0.4)
+    assert straight[..., 0] - 0.3 * straight[..., 1] == pytest.approx(0.4, abs=1e-12)
+    assert lengths_of(straight).sum() == pytest.approx(np.hypot(1, 0.3))
+    circle = level_line(0.16 - (grid_u - 0.5) ** 2 - (grid_v - 0.6) ** 2, 0)
+    assert np.hypot(circle[..., 0] - 0.5, circle[..., 1] - 0.6) == pytest.approx(0.4, abs=1e-4)
+    assert lengths_of(circle).sum() == pytest.approx(2 * np.pi * 0.4, rel=1e-3)
+    assert level_line(grid_u, 2.0).shape == (0, 2, 2)
+
+
+def lengths_of(segments):
+    return np.linalg.norm(segments[:, 1] - segments[:, 0], axis=1)
 
 
 def test_the_reach_is_that_of_the_weight():
