@@ -48,6 +48,13 @@ class PanelEntry:
 
 PANELS = (
     PanelEntry("curve", "One &curve", "One curve of the surface with all its parts", "curve_panel", "CurvePanel"),
+    PanelEntry(
+        "influence",
+        "&Influence",
+        "What one point or knot moves, and how far",
+        "influence_panel",
+        "InfluencePanel",
+    ),
 )
 """All panels, in the order of their tabs."""
 

@@ -34,8 +34,8 @@ _SAME = 1e-9
 """Relative difference up to which displacements count as equally large."""
 
 _ZOOM_SAMPLES = 9
-_ZOOM_ROUNDS = 16
-"""Each round looks at a window half as wide: sixteen take the step of the grid below 1e-6."""
+_ZOOM_ROUNDS = 10
+"""Each round looks at a window a third as wide: ten take the step of the grid below 1e-6."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -205,7 +205,7 @@ def _peak(displacement: Patch, samples: Array, magnitude: Array) -> tuple[float,
         us, vs = np.clip(u + window, 0, 1), np.clip(v + window, 0, 1)
         lengths = _lengths(displacement, us, vs)
         iu, iv = np.unravel_index(lengths.argmax(), lengths.shape)
-        u, v, width = us[iu], vs[iv], width / 2
+        u, v, width = us[iu], vs[iv], width / 3
     return float(u), float(v), float(lengths.max())
 
 

@@ -5,9 +5,18 @@ Between the samples the function is taken as linear on the two triangles of ever
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
+import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
+
+Indices = npt.NDArray[np.intp]
+
+
+_CORNERS = np.array([[[0, 0], [1, 1]], [[1, 0], [1, 0]], [[0, 1], [0, 1]]])
+"""Steps along u and v from a cell's first sample to the three corners of its two triangles, [corner, triangle]."""
 
 
 def area_above(values: Array, level: float) -> float:
@@ -17,15 +26,11 @@ def area_above(values: Array, level: float) -> float:
     ----------
     values : (n, m) on a regular grid over the unit square
     """
-    triangles = _triangles(values - level)
-    above = np.count_nonzero(triangles > 0, axis=0)
-    low, middle, high = np.sort(triangles[:, (above == 1) | (above == 2)], axis=0)
-    # The line through a cut triangle parts one corner from the two others, and cuts a similar triangle off.
-    is_one_above = middle <= 0
-    alone = np.where(is_one_above, high, low)
-    cut_off = alone**2 / ((high - low) * np.abs(alone - middle))
-    area = np.count_nonzero(above == 3) + np.where(is_one_above, cut_off, 1 - cut_off).sum()
-    return float(area / above.size)
+    cut = _cut(values, level)
+    # The line cuts a triangle similar to the whole one off the corner that is alone.
+    similar = cut.parts.prod(axis=0)
+    area = cut.whole + np.where(cut.is_above, similar, 1 - similar).sum()
+    return float(area / cut.count)
 
 
 def level_line(values: Array, level: float) -> Array:
@@ -39,26 +44,55 @@ def level_line(values: Array, level: float) -> Array:
     -------
     (k, 2, 2) float64, read-only: for each segment its two ends, for each end u and v
     """
-    u, v = (np.linspace(0.0, 1.0, count) for count in values.shape)
-    grid_u, grid_v = np.meshgrid(u, v, indexing="ij")
-    excess, *places = (_triangles(table) for table in (values - level, grid_u, grid_v))
-    above = np.count_nonzero(excess > 0, axis=0)
-    is_cut = (above == 1) | (above == 2)
-    order = np.argsort(excess[:, is_cut], axis=0)
-    low, middle, high = np.take_along_axis(excess[:, is_cut], order, axis=0)
-    corners = np.stack([np.take_along_axis(place[:, is_cut], order, axis=0) for place in places], axis=-1)
-    is_one_above = middle <= 0
-    alone = np.where(is_one_above, high, low)
-    lone_corner = np.where(is_one_above[:, None], corners[2], corners[0])
-    far = np.where(is_one_above, low, high), np.where(is_one_above[:, None], corners[0], corners[2])
-    ends = []
-    for other, corner in (far, (middle, corners[1])):
-        part = (alone / (alone - other))[:, None]
-        ends.append(lone_corner + part * (corner - lone_corner))
+    cut = _cut(values, level)
+    corners = (cut.cells + _CORNERS[:, cut.families]) / (np.array(values.shape) - 1)
+    every = np.arange(cut.alone.size)
+    ends = [
+        corners[cut.alone, every] + part[:, None] * (corners[other, every] - corners[cut.alone, every])
+        for other, part in zip(_others(cut.alone), cut.parts, strict=True)
+    ]
     return read_only(np.stack(ends, axis=1))
+
+
+@dataclass(frozen=True)
+class _Cut:
+    """The triangles through which a level runs. One corner of each is alone on its side of the level.
+
+    ``families`` (k,) and ``cells`` (k, 2) say which triangles of which cells they are, ``alone`` (k,) which corner is
+    alone and ``is_above`` (k,) whether above the level; the line meets the two edges from there after the ``parts``
+    (2, k) of their lengths. ``whole`` of all ``count`` triangles lie above the level altogether.
+    """
+
+    families: Indices
+    cells: Indices
+    alone: Indices
+    is_above: npt.NDArray[np.bool_]
+    parts: Array
+    whole: int
+    count: int
+
+
+def _cut(values: Array, level: float) -> _Cut:
+    triangles = _triangles(values - level)
+    above = np.count_nonzero(triangles > 0, axis=0)
+    families, iu, iv = np.nonzero((above == 1) | (above == 2))
+    excess = triangles[:, families, iu, iv]
+    is_above = above[families, iu, iv] == 1
+    alone = ((excess > 0) == is_above).argmax(axis=0)
+    every = np.arange(alone.size)
+    lone = excess[alone, every]
+    parts = lone / (lone - excess[_others(alone), every])
+    whole = int(np.count_nonzero(above == 3))
+    return _Cut(families, np.stack([iu, iv], axis=-1), alone, is_above, parts, whole, above.size)
+
+
+def _others(corner: Indices) -> Indices:
+    """Return the two other corners of each triangle, (2, k)."""
+    others: Indices = (corner + np.array([[1], [2]])) % 3
+    return others
 
 
 def _triangles(values: Array) -> Array:
     """Return the values at the three corners of both triangles of every cell, (3, 2, n - 1, m - 1)."""
-    diagonal = [values[1:, :-1], values[:-1, 1:]]
-    return np.stack([np.stack([corner, *diagonal]) for corner in (values[:-1, :-1], values[1:, 1:])], axis=1)
+    n, m = np.array(values.shape) - 1
+    return np.stack([[values[i : i + n, j : j + m] for i, j in corner] for corner in _CORNERS.tolist()])
