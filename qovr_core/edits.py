@@ -22,6 +22,11 @@ class Direction(StrEnum):
     COLUMNS = "column_knots"
 
 
+CURVE_LETTERS = {Direction.ROWS: "C", Direction.COLUMNS: "K"}
+PARAMETERS = {Direction.ROWS: "u", Direction.COLUMNS: "v"}
+"""The letters of the curves C_i(u) and K_j(v), and of their parameters."""
+
+
 class Zone(StrEnum):
     """The parts of a document that are set as a whole, by the names of its fields."""
 

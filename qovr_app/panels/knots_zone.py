@@ -9,8 +9,6 @@ from qovr_app.panels.knot_slider import KnotSlider
 from qovr_app.panels.look import SPACE
 from qovr_app.panels.parts import Note, symbol
 from qovr_app.panels.symbols import (
-    CURVE_LETTERS,
-    PARAMETERS,
     knot_letter,
     knot_meaning,
     spoken,
@@ -20,7 +18,7 @@ from qovr_app.panels.zone import FieldZone
 from qovr_core import Document, Formulation, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.document import NET_SIZE
-from qovr_core.edits import Direction, KnotPlace, Place, Zone, knots_of
+from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace, Place, Zone, knots_of
 from qovr_core.formulations import active_rows
 
 _STEP = 0.01

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Place, Zone
+from qovr_core.edits import CURVE_LETTERS, PARAMETERS, CoordinatePlace, Direction, KnotPlace, Place, Zone
 
 AXES = "xyz"
 
@@ -11,9 +11,6 @@ ZONE_TITLES = {
     Zone.COLUMN_KNOTS: "Column-wise knots",
     Zone.CONTROL_POINTS: "Control points",
 }
-
-CURVE_LETTERS = {Direction.ROWS: "C", Direction.COLUMNS: "K"}
-PARAMETERS = {Direction.ROWS: "u", Direction.COLUMNS: "v"}
 
 
 def knot_letter(place: KnotPlace) -> str:
