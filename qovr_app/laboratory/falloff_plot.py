@@ -1,15 +1,15 @@
-"""Displacement against distance: every sample, the envelope, and the best exponential."""
+"""Displacement against distance: every sample, the envelope, and the nearest exponential."""
 
 from __future__ import annotations
 
 import numpy as np
 import pyqtgraph as pg
-from PySide6.QtCore import QEvent, QPointF, Qt, Signal
-from PySide6.QtGui import QColor, QFont
+from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.influence_numbers import DISTANCE
-from qovr_app.view3d.theme import Theme
+from qovr_app.laboratory.plots import Plot, coloured, pen
+from qovr_app.view3d.theme import Rgb, Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence
 
@@ -19,69 +19,57 @@ _EVERY = 4
 _FLOOR = 1e-5
 """The logarithmic scale ends at this part of the largest displacement: below it is nothing to see."""
 
+_HEADROOM = 1.06
+_LOGARITHMIC_HEADROOM = 2.0
 _CURVE_POINTS = 121
-_FONT_PIXELS = 11
-_WARN = {True: (240, 180, 80), False: (176, 104, 0)}
+_DOT_PIXELS = 2.5
+_DOT_OPACITY = 110
+_LINE_PIXELS = 2.0
+_DASHES = [4.0, 3.0]
+_TOP_MARGIN = 5
+"""Room for the upper half of a number at the end of the axis."""
 
 
-class FalloffPlot(pg.PlotWidget):
-    """Shows how an influence falls off with the distance from the place of the largest displacement.
-
-    Signals
-    -------
-    hovered : the distance under the pointer; None when it has left the plot
-    """
-
-    hovered = Signal(object)
+class FalloffPlot(Plot):
+    """Shows how an influence falls off with the distance from the place of the largest displacement."""
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setObjectName(name)
-        self.setAccessibleName("Displacement against distance")
-        self.setMinimumSize(150, 110)
-        self.setMenuEnabled(False)
+        super().__init__(name, "Displacement against distance", parent)
         self.setMouseEnabled(x=False, y=False)
-        self.hideButtons()
+        self.setToolTip(f"Displacement of the surface against the distance d. {DISTANCE}")
+        self.setLabel("bottom", "<i>d</i> in <i>u</i>, <i>v</i>")
+        self.getAxis("left").setStyle(autoExpandTextSpace=True)
+        self.getPlotItem().layout.setContentsMargins(0, _TOP_MARGIN, 0, 0)
         self._influence: Influence | None = None
         self._is_logarithmic = False
-        self._samples = self.plot(pen=None, symbol="o", symbolSize=2.5, pxMode=True, symbolPen=None)
-        self.exponential = self.plot(antialias=True)
-        self.envelope = self.plot(antialias=True)
+        self._samples = self.plot(pen=None, symbol="o", symbolSize=_DOT_PIXELS, symbolPen=None)
+        self.exponential = self.plot()
+        self.envelope = self.plot()
         self._reading = pg.InfiniteLine(angle=90)
         self._reading.setVisible(False)
         self.addItem(self._reading, ignoreBounds=True)
-        self.setToolTip(f"Displacement of the surface against the distance d. {DISTANCE}")
-        self.setLabel("bottom", "<i>d</i> in <i>u</i>, <i>v</i>")
-        self.scene().sigMouseMoved.connect(self._on_mouse_moved)
 
     @property
-    def envelope_colour(self) -> str:
-        """The colour of the envelope, as rich text names it."""
-        return self._colours[0].name()
+    def legend(self) -> tuple[str, str]:
+        """Envelope and exponential with their lines, as rich text."""
+        exponential = "<i>A</i> e<sup>−<i>d</i>/<i>L</i></sup>"
+        return (
+            f"{coloured('━', self.colours.accent)} envelope",
+            f"{coloured('╍', self._exponential_colour)} {exponential}",
+        )
 
     @property
-    def exponential_colour(self) -> str:
-        """The colour of the exponential, as rich text names it."""
-        return self._colours[1].name()
+    def _exponential_colour(self) -> Rgb:
+        return self.colours.series[1]
 
     def show_theme(self, theme: Theme) -> None:
-        """Draw in other colours."""
-        is_dark = sum(theme.background) < sum(theme.ink)
-        self._colours = (QColor(*theme.accent), QColor(*_WARN[is_dark]))
-        self.setBackground(QColor(*theme.background))
-        font = QFont(self.font())
-        font.setPixelSize(_FONT_PIXELS)
-        for side in ("left", "bottom"):
-            axis = self.getAxis(side)
-            axis.enableAutoSIPrefix(False)
-            axis.setPen(QColor(*theme.axis))
-            axis.setTextPen(QColor(*theme.quiet_ink))
-            axis.setStyle(tickFont=font, tickLength=-4, autoExpandTextSpace=True)
-            axis.label.setFont(font)
-        self._samples.setSymbolBrush(QColor(*theme.quiet_ink, 110))
-        self.envelope.setPen(pg.mkPen(self._colours[0], width=2))
-        self.exponential.setPen(pg.mkPen(self._colours[1], width=2, style=Qt.PenStyle.DashLine))
-        self._reading.setPen(pg.mkPen(QColor(*theme.axis), width=1))
+        super().show_theme(theme)
+        self._samples.setSymbolBrush(QColor(*theme.quiet_ink, _DOT_OPACITY))
+        self.envelope.setPen(pen(theme.accent, _LINE_PIXELS))
+        dashed = pen(self._exponential_colour, _LINE_PIXELS)
+        dashed.setDashPattern(_DASHES)
+        self.exponential.setPen(dashed)
+        self._reading.setPen(pen(theme.ink))
 
     def show_logarithmic(self, is_logarithmic: bool) -> None:
         """Choose the scale of the displacement."""
@@ -94,15 +82,24 @@ class FalloffPlot(pg.PlotWidget):
         """Show an influence in which something moves."""
         self._influence = influence
         fall = influence.falloff
-        distances = np.linspace(0.0, fall.envelope[-1, 0], _CURVE_POINTS)
+        farthest = float(fall.envelope[-1, 0])
+        distances = np.linspace(0.0, farthest, _CURVE_POINTS)
         thinned = (slice(None, None, _EVERY),) * 2
         self._put(self._samples, fall.distance[thinned].ravel(), influence.magnitude[thinned].ravel())
         self._put(self.envelope, *fall.envelope.T)
         self._put(self.exponential, distances, fall.exponential.at(distances))
         top = max(influence.largest, fall.exponential.amplitude)
-        low, high = (np.log10([_FLOOR * top, 2 * top])) if self._is_logarithmic else (0.0, 1.04 * top)
-        self.setXRange(0.0, float(distances[-1]), padding=0.01)
-        self.setYRange(float(low), float(high), padding=0)
+        self.view_box.setXRange(0.0, farthest)
+        if self._is_logarithmic:
+            self.view_box.setYRange(*np.log10([_FLOOR * top, _LOGARITHMIC_HEADROOM * top]).tolist(), padding=0)
+        else:
+            self.view_box.setYRange(0.0, _HEADROOM * top, padding=0)
+
+    def show_reading(self, distance: float | None) -> None:
+        """Mark a distance; None takes the mark away."""
+        self._reading.setVisible(distance is not None)
+        if distance is not None:
+            self._reading.setValue(distance)
 
     def _put(self, item: pg.PlotDataItem, distance: Array, displacement: Array) -> None:
         """Show a series; what is nothing has no place on a logarithmic scale."""
@@ -110,19 +107,3 @@ class FalloffPlot(pg.PlotWidget):
             kept = displacement > _FLOOR * self._influence.largest
             distance, displacement = distance[kept], displacement[kept]
         item.setData(distance, displacement)
-
-    def _on_mouse_moved(self, at: QPointF) -> None:
-        box = self.getViewBox()
-        distance = box.mapSceneToView(at).x() if box.sceneBoundingRect().contains(at) else -1.0
-        is_inside = self._influence is not None and 0 <= distance <= self._influence.falloff.envelope[-1, 0]
-        self._read(distance if is_inside else None)
-
-    def leaveEvent(self, event: QEvent) -> None:
-        super().leaveEvent(event)
-        self._read(None)
-
-    def _read(self, distance: float | None) -> None:
-        self._reading.setVisible(distance is not None)
-        if distance is not None:
-            self._reading.setValue(distance)
-        self.hovered.emit(distance)

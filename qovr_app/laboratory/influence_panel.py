@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
@@ -112,23 +113,20 @@ class InfluencePanel(LaboratoryPanel):
             self._map_caption.setText("|Δ<i>S</i>|, lines at 10 % and 1 %")
             return
         u, v = place
-        x, y, z = self._influence.displacement.points([u], [v])[0, 0]
-        length = (x * x + y * y + z * z) ** 0.5
+        length = float(np.linalg.norm(self._influence.displacement.points([u], [v])))
         part = percent_text(length / self._influence.largest)
         self._map_caption.setText(f"<i>u</i> {u:.2f} <i>v</i> {v:.2f}: {value_text(length)} = {part}")
 
-    def _on_plot_hovered(self, distance: float | None) -> None:
-        if distance is None or self._influence is None:
-            line = '<span style="color:{}">{}</span> {}'
-            envelope = line.format(self._plot.envelope_colour, "━", "envelope")
-            exponential = line.format(self._plot.exponential_colour, "╍", "<i>A</i> e<sup>−<i>d</i>/<i>L</i></sup>")
-            self._plot_caption.setText(f"{envelope}&nbsp; {exponential}")
+    def _on_plot_hovered(self, place: tuple[float, float] | None) -> None:
+        if place is None or self._influence is None or not 0 <= place[0] <= self._influence.falloff.envelope[-1, 0]:
+            self._plot.show_reading(None)
+            self._plot_caption.setText("&nbsp; ".join(self._plot.legend))
             return
-        fall = self._influence.falloff
-        nearest = abs(fall.envelope[:, 0] - distance).argmin()
-        at, most = fall.envelope[nearest]
+        envelope = self._influence.falloff.envelope
+        distance, most = envelope[np.abs(envelope[:, 0] - place[0]).argmin()].tolist()
+        self._plot.show_reading(distance)
         part = percent_text(most / self._influence.largest)
-        self._plot_caption.setText(f"<i>d</i> {at:.2f}: up to {value_text(most)} = {part}")
+        self._plot_caption.setText(f"<i>d</i> {distance:.2f}: up to {value_text(most)} = {part}")
 
     def _arrange(self) -> None:
         content = QWidget(self)
