@@ -49,6 +49,13 @@ class PanelEntry:
 PANELS = (
     PanelEntry("curve", "One &curve", "One curve of the surface with all its parts", "curve_panel", "CurvePanel"),
     PanelEntry(
+        "influence",
+        "&Influence",
+        "What one point or knot moves, and how far",
+        "influence_panel",
+        "InfluencePanel",
+    ),
+    PanelEntry(
         "claims", "C&laims", "What the paper says of its surfaces, and what is so", "claims_panel", "ClaimsPanel"
     ),
 )
