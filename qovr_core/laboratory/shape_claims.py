@@ -50,7 +50,7 @@ def local(document: Document) -> Measurement:
     edges = f"moves its edges by up to {part_on_edges:.2g} of that" if part_on_edges > ROUNDING else "keeps its edges"
     return Measurement(
         value=float(misfits[worst]),
-        what="misfit of the best exponential, of the largest displacement",
+        what="misfit of the best exponential as part of the largest displacement",
         holds=bool(misfits[worst] <= FITS),
         note=f"worst for P_{worst // NET_SIZE},{worst % NET_SIZE}; moving P_2,2 moves {share:.0%} of the surface by "
         f"more than {_NOTICED:.0%} of the largest displacement and {edges}",
@@ -115,7 +115,7 @@ def symmetry(document: Document) -> Measurement:
     symmetric = all(is_rounding for _, is_rounding in asymmetries.values())
     return Measurement(
         value=asymmetries[worst][0],
-        what="largest mirrored difference, of the surface's size",
+        what="largest mirrored difference as part of the surface's size",
         holds=symmetric,
         note="" if symmetric else f"the net with heights symmetric by {worst} gives a surface that is not",
     )
@@ -183,7 +183,7 @@ def boxes(document: Document) -> Measurement:
     flat = ", ".join(aligned.flat_axes)
     return Measurement(
         value=part_of(difference, size),
-        what=f"largest difference of the two boxes at {SAMPLES[0]} x {SAMPLES[1]} samples, of the net's size",
+        what=f"largest difference of the two boxes at {SAMPLES[0]} x {SAMPLES[1]} samples as part of the net's size",
         holds=difference <= noise,
         note=f"the raw surface has no extent along {flat}: T only moves there" if flat else "",
     )
