@@ -23,6 +23,9 @@ from qovr_core.patch import PATCH_DEGREE, Edge
 KNOT_STEP = 0.1
 """Each knot is moved this far up and down, and half the way to 0 or 1 where there is not so much room."""
 
+_REMEMBERED = 16
+"""Both claims ask for the same moves: those of one document and its examples, under three formulations."""
+
 Flags = npt.NDArray[np.bool_]
 
 
@@ -124,7 +127,7 @@ def _by_curve(moves: KnotMoves, counted: Flags, keeps: Flags) -> dict[str, bool]
     }
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=_REMEMBERED)
 def knot_moves(document: Document) -> KnotMoves:
     """Move each of the 40 knots up and down, and compare surfaces, edges and boxes.
 

@@ -335,6 +335,20 @@ def test_the_published_surface_is_symmetric_exactly_where_row_4_is():
             assert shape_claims.symmetry(document).holds == shape_claims.ROW_4_SYMMETRIC.is_met(document)
 
 
+def test_half_a_turn_in_space_is_kept_by_the_interpolating_surface_alone():
+    u, v = np.linspace(0, 1, 7), np.linspace(0, 1, 5)
+    for formulation in Formulation:
+        measured = shape_claims.symmetry(random_document(12, formulation))
+        assert (measured.example is None) == (formulation is INTERPOLATING)
+    example = shape_claims.symmetry(random_document(12, DOUBLE_SUM)).example
+    net = example.control_points
+    middle = net.mean(axis=(0, 1))
+    assert np.allclose(net[::-1, ::-1] - middle, (net - middle) * [-1, -1, 1])
+    points = build_patch(example).points(u, v)
+    sums = points[::-1, ::-1] + points
+    assert np.ptp(sums[..., 0]) > 1e-3 * np.ptp(points[..., 0])
+
+
 def test_a_flat_raw_surface_has_no_scale():
     net = random_net(1)
     net[4, :, 2] = 0
