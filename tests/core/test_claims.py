@@ -12,6 +12,7 @@ from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_clai
 from qovr_core.laboratory.claims import Claim, Condition, Measurement, Verdict, decide
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
 from qovr_core.laboratory.splines import catmull_rom
+from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
 from qovr_core.presets import preset
 from qovr_core.weights import weight_coefficients
@@ -270,7 +271,7 @@ def test_the_moves_of_knots_are_those_of_edited_documents(formulation):
     moves = knot_claims.knot_moves(document)
     before = build_patch(document)
     size = np.ptp(before.coefficients, axis=(0, 1)).max()
-    basis = bernstein.basis(6, np.linspace(0, 1, 41))
+    basis = bernstein.basis(6, np.linspace(0, 1, SAMPLES[0]))
     for k, (direction, curve, name) in enumerate(
         (direction, curve, name) for direction in Direction for curve in range(5) for name in "rsut"
     ):
