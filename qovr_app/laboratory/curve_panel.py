@@ -1,13 +1,198 @@
-"""One curve of the surface, laid open: the paper's Figure 1, live."""
+"""One curve of the surface with all its parts: the paper's Figure 1, live."""
 
 from __future__ import annotations
 
-from qovr_app.laboratory.panel import LaboratoryPanel
-from qovr_core import AlignedPatch
+from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QVBoxLayout, QWidget
+
+from qovr_app.laboratory.curve_functions import WeightsPlot
+from qovr_app.laboratory.curve_geometry import GeometryPlot
+from qovr_app.laboratory.curve_transformations import TransformationsPlot
+from qovr_app.laboratory.panel import Focus, LaboratoryPanel
+from qovr_app.laboratory.plots import Captioned
+from qovr_app.panels.look import SPACE, look
+from qovr_app.panels.numbers import number_text
+from qovr_app.panels.parts import CompactButton
+from qovr_app.panels.symbols import symbol_html
+from qovr_app.view3d.theme import Theme
+from qovr_core import AlignedPatch, QovrError
+from qovr_core.document import NET_SIZE
+from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
+from qovr_core.formulations import active_rows
+from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
+from qovr_core.laboratory.planes import View
+
+_CURVES = [(direction, k) for direction in Direction for k in range(NET_SIZE)]
+_SUBSCRIPTS = "₀₁₂₃₄"
+_VIEWS = {View.BEST: "Best plane", View.XY: "x, y", View.XZ: "x, z", View.YZ: "y, z"}
+
+_LEGENDS = ({}, {"decimals": 2}, {"decimals": 2, "named": False})
+"""How values are written over a plot, at length and shorter."""
 
 
 class CurvePanel(LaboratoryPanel):
-    """Shows one of the ten curves."""
+    """Shows one of the ten curves: that of the knot in focus, or a chosen one."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._result: AlignedPatch | None = None
+        self._curve: OneCurve | None = None
+        self._choice = QComboBox(self, objectName="laboratory.curve.choice", accessibleName="Curve")
+        self._choice.setToolTip("Which of the ten curves; it follows the knot whose field has the keyboard")
+        for direction, k in _CURVES:
+            self._choice.addItem(f"{CURVE_LETTERS[direction]}{_SUBSCRIPTS[k]}({PARAMETERS[direction]})")
+        self._choice.setCurrentIndex(NET_SIZE - 1)  # the one row that the published surface uses
+        self._view = QComboBox(self, objectName="laboratory.curve.plane", accessibleName="Plane")
+        self._view.setToolTip("The plane in which the curve is drawn; the best one runs through its points")
+        self._view.addItems(_VIEWS.values())
+        self._equal = QCheckBox("Equal scales", self, objectName="laboratory.curve.equal_scales")
+        self._equal.setToolTip("Draw both directions of the plane at one scale")
+        self._geometry = GeometryPlot(self)
+        weights = [symbol_html("w", str(p)) for p in range(3)]
+        points = [symbol_html("b", str(k)) for k in range(5)]
+        self._blends = WeightsPlot(
+            "laboratory.curve.blends", "The weights of the three parabolas", weights, [1, 2, 3], self
+        )
+        self._weights = WeightsPlot(
+            "laboratory.curve.weights", "The weights of the five points", points, [0, 1, 2, 3, 4], self
+        )
+        self._transformations = TransformationsPlot(self)
+        self._arrange()
+        self._connect()
+
+    @property
+    def curve(self) -> OneCurve | None:
+        """The curve that is shown."""
+        return self._curve
 
     def show_result(self, result: AlignedPatch) -> None:
-        """Show the curve of a result."""
+        self._result = result
+        self._show_curve()
+
+    def show_focus(self, focus: Focus) -> None:
+        if focus is None:
+            return
+        direction, k = _CURVES[self._choice.currentIndex()]
+        if isinstance(focus, KnotPlace):
+            direction, k = focus.direction, focus.curve
+        else:
+            k = focus[0] if direction is Direction.ROWS else focus[1]
+        self._choice.setCurrentIndex(_CURVES.index((direction, k)))
+
+    def show_theme(self, theme: Theme) -> None:
+        for plot in self._plots:
+            plot.show_theme(theme)
+        self._show_captions(None)
+
+    @property
+    def _functions(self) -> tuple:
+        return self._blends, self._weights, self._transformations
+
+    @property
+    def _plots(self) -> tuple:
+        return self._geometry, *self._functions
+
+    def _arrange(self) -> None:
+        save = CompactButton("Save Figure…", "laboratory.curve.figure", "Write this curve as PNG, SVG or PDF", self)
+        save.clicked.connect(self._save_figure)
+        head = QHBoxLayout()
+        head.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
+        head.setSpacing(2 * SPACE)
+        for widget in (self._choice, self._view, self._equal):
+            head.addWidget(widget)
+        head.addStretch(1)
+        head.addWidget(save)
+        grid = QGridLayout()
+        grid.setSpacing(1)
+        self._captions = {}
+        for plot, place in zip(self._plots, ((0, 0, 2, 1), (0, 1, 1, 1), (1, 1, 1, 1), (0, 2, 2, 1)), strict=True):
+            captioned = Captioned(plot, self)
+            self._captions[plot] = captioned
+            grid.addWidget(captioned, *place)
+        for column, stretch in enumerate((5, 4, 4)):
+            grid.setColumnStretch(column, stretch)
+        for row in range(2):
+            grid.setRowStretch(row, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addLayout(head)
+        layout.addLayout(grid, 1)
+
+    def _connect(self) -> None:
+        self._choice.currentIndexChanged.connect(self._show_curve)
+        self._view.currentIndexChanged.connect(self._show_curve)
+        self._equal.toggled.connect(self._geometry.setAspectLocked)
+        self._geometry.hovered.connect(
+            lambda place: self._show_hover(place and self._curve and self._geometry.nearest(place))
+        )
+        for plot in self._functions:
+            plot.hovered.connect(lambda place: self._show_hover(place and min(max(place[0], 0.0), 1.0)))
+        self._transformations.knots_moved.connect(self._on_knots_moved)
+
+    # The curve
+
+    def _show_curve(self) -> None:
+        if self._result is None:
+            return
+        try:
+            curve = curve_of(self._result.document, *_CURVES[self._choice.currentIndex()])
+        except QovrError as error:
+            self.told.emit(f"{error}.", True)
+            return
+        self._curve = curve
+        self._geometry.show_curve(curve, list(_VIEWS)[self._view.currentIndex()])
+        self._blends.show_weights(curve.blends(SAMPLES), curve.knots.u)
+        self._weights.show_weights(curve.weights(SAMPLES), curve.knots.u)
+        self._transformations.show_curve(curve)
+        self._show_hover(None)
+
+    def _on_knots_moved(self, wanted: dict[str, float], gesture: int) -> None:
+        direction, k = self._curve.direction, self._curve.number
+        self.values_edited.emit({KnotPlace(direction, k, name): value for name, value in wanted.items()}, gesture)
+
+    # What stands over the plots
+
+    def _show_hover(self, u: float | None) -> None:
+        if self._curve is None:
+            return
+        for plot in self._plots:
+            plot.show_hover(u)
+        self._show_captions(u)
+
+    def _show_captions(self, u: float | None) -> None:
+        curve = self._curve
+        if curve is None:
+            return
+        if u is None:
+            self._captions[self._geometry].say(*self._what_it_is())
+            notes = "of the parabolas", "of the points", self._how_s_runs()
+            for plot, note in zip(self._functions, notes, strict=True):
+                legend = "&nbsp; ".join(plot.legend())
+                self._captions[plot].say(f"{legend}&nbsp;&nbsp; {note}", legend)
+            return
+        x, y, z = (number_text(round(value, 4)) for value in curve.at([u])[0].tolist())
+        self._captions[self._geometry].say(f"<i>{curve.parameter}</i> = {u:.3f}&nbsp;&nbsp; {x}, {y}, {z}")
+        for plot, values in zip(self._functions, (curve.blends, curve.weights, curve.transformed), strict=True):
+            legends = (
+                plot.legend(values([u])[0], **how) for how in ({}, {"decimals": 2}, {"decimals": 2, "named": False})
+            )
+            self._captions[plot].say(*("&nbsp; ".join(legend) for legend in legends))
+
+    def _what_it_is(self) -> tuple[str, ...]:
+        """Return what stands over the curve, at length and shorter."""
+        curve = self._curve
+        name = f"<b>{symbol_html(CURVE_LETTERS[curve.direction], str(curve.number))}</b>(<i>{curve.parameter}</i>)"
+        short = f"{name}, degree {4 if curve.knots.is_quartic else 6}"
+        formulation = self._result.document.formulation
+        if curve.direction is Direction.ROWS and curve.number not in active_rows(formulation):
+            return f"{short}, without effect on the {formulation} surface", f"{name}, without effect"
+        return f"{short}&nbsp;&nbsp; broad: blended&nbsp;&nbsp; dashed: beyond its points", short
+
+    def _how_s_runs(self) -> str:
+        fold = self._curve.fold_back
+        if fold is None:
+            return f"over <i>{self._curve.parameter}</i>"
+        low, high = fold.backward
+        return f'<span style="color:{look().warn.name()}"><i>s</i> falls from {low:.3g} to {high:.3g}</span>'
+
+    def _save_figure(self) -> None: ...

@@ -15,7 +15,7 @@ class Theme:
 
     ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``accent`` is the control
     points and what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim`` parts marks
-    from the surface.
+    from the surface; ``series`` are five lines in one plot, by P_0..P_4 where they belong to points.
     """
 
     background: Rgb
@@ -30,6 +30,7 @@ class Theme:
     row_curve: Rgb
     column_curve: Rgb
     surface_line: Rgb
+    series: tuple[Rgb, Rgb, Rgb, Rgb, Rgb]
 
 
 _THEMES = {
@@ -46,6 +47,7 @@ _THEMES = {
         row_curve=(16, 20, 26),
         column_curve=(28, 100, 216),
         surface_line=(0, 0, 0),
+        series=((201, 57, 43), (190, 112, 0), (20, 132, 88), (28, 100, 216), (128, 62, 178)),
     ),
     ThemeName.DARK: Theme(
         background=(32, 35, 40),
@@ -60,6 +62,7 @@ _THEMES = {
         row_curve=(245, 246, 248),
         column_curve=(92, 157, 255),
         surface_line=(0, 0, 0),
+        series=((255, 122, 108), (238, 176, 66), (74, 200, 142), (92, 157, 255), (190, 142, 245)),
     ),
 }
 

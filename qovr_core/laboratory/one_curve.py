@@ -18,6 +18,9 @@ from qovr_core.kernels import inverse_kernels
 from qovr_core.knots import Knots
 from qovr_core.weights import CURVE_DEGREE, transformations, weight_coefficients
 
+SAMPLES = read_only(np.linspace(0.0, 1.0, 161))
+"""Parameters so close together that a line through their points is seen as the curve; 0, 1/2 and 1 among them."""
+
 
 @dataclass(frozen=True)
 class FoldBack:
@@ -121,9 +124,14 @@ class OneCurve:
 
     @property
     def auxiliary(self) -> tuple[tuple[float, float], ...]:
-        """The parts beyond [0, 1] that (24) and (26) reach too: Q_0 behind P_2 and Q_2 before it."""
+        """The parts beyond [0, 1] that the transformations reach too: Q_0 behind P_2, Q_2 before it.
+
+        Of Q_1 it is the part between an end and where s turns round; empty where s is monotone.
+        """
         r, _, t = self.transformed([0.0, 1.0]).T
-        return (1.0, float(r[1])), (float(t[0]), 0.0)
+        turn = self.fold_back.turn if self.fold_back else 0.0
+        beyond_the_middle = (turn, 0.0) if turn <= 0 else (1.0, turn)
+        return (1.0, float(r[1])), beyond_the_middle, (float(t[0]), 0.0)
 
     @property
     def fold_back(self) -> FoldBack | None:
@@ -164,23 +172,3 @@ def curve_of(document: Document, direction: Direction, number: int) -> OneCurve:
     points = net[number] if direction is Direction.ROWS else net[:, number]
     knots = knots_of(document, direction)[number]
     return OneCurve(points, knots, kernel_decimals(document.formulation), direction, number)
-
-
-def label_places(values: npt.ArrayLike) -> npt.NDArray[np.intp]:
-    """Return where a label on each of several functions is farthest from the others.
-
-    Parameters
-    ----------
-    values : (n, k) the functions' values at n places
-
-    Returns
-    -------
-    (k,) the number of the place for each function; the outer tenths, where labels have no room, are left out
-    """
-    table = np.asarray(values, dtype=np.float64)
-    margin = len(table) // 10
-    inner = table[margin : len(table) - margin]
-    apart = np.abs(inner[:, :, None] - inner[:, None, :])
-    apart[:, np.arange(inner.shape[1]), np.arange(inner.shape[1])] = np.inf
-    places: npt.NDArray[np.intp] = margin + np.argmax(apart.min(axis=2), axis=0)
-    return places

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from qovr_core import Document, EvaluationError, Formulation, Knots, curve_network
 from qovr_core.edits import Direction
-from qovr_core.laboratory.one_curve import OneCurve, curve_of, label_places
+from qovr_core.laboratory.one_curve import OneCurve, curve_of
 from qovr_core.laboratory.planes import View, plane_of
 from support.algorithm1 import curve as algorithm1_curve
 from support.documents import documents, knots, random_document, random_net, seeds
@@ -59,7 +59,8 @@ def test_the_knots_lie_at_the_points(curve):
     assert (r[0], s[1], t[2]) == pytest.approx(curve.internal_knots, abs=1e-11)
     assert (r[1], s[0], s[2], t[1]) == pytest.approx((1, 0, 1, 0), abs=1e-11)
     assert curve.blended == ((curve.knots.r, 1.0), (0.0, 1.0), (0.0, curve.knots.t))
-    assert curve.auxiliary == ((1.0, pytest.approx(r[2])), (pytest.approx(t[0]), 0.0))
+    assert curve.auxiliary[0] == (1.0, pytest.approx(r[2]))
+    assert curve.auxiliary[2] == (pytest.approx(t[0]), 0.0)
 
 
 @given(knots)
@@ -97,7 +98,10 @@ def test_fold_back_by_hand():
     points = np.zeros((5, 3))
     assert OneCurve(points, Knots(0.5, 0.5, 0.5, 0.5)).fold_back is None
     assert OneCurve(points, Knots(0.5, 0.25, 0.5, 0.5)).fold_back is None  # the last that is monotone
+    assert OneCurve(points, Knots(0.5, 0.25, 0.5, 0.5)).auxiliary == ((1.0, 1.5), (0.0, 0.0), (-0.5, 0.0))
     low = OneCurve(points, Knots(0.5, 0.125, 0.5, 0.5)).fold_back  # a = 1.5
+    assert OneCurve(points, Knots(0.5, 0.125, 0.5, 0.5)).auxiliary[1] == (low.turn, 0.0)
+    assert OneCurve(points, Knots(0.5, 0.875, 0.5, 0.5)).auxiliary[1] == (1.0, pytest.approx(25 / 24))
     assert low.backward == (0, pytest.approx(1 / 6))
     assert low.outside == (0, pytest.approx(1 / 3))
     assert low.turn == pytest.approx(-1 / 24)
@@ -115,14 +119,6 @@ def test_names_and_refusals():
     assert not curve.at(U).flags.writeable
     with pytest.raises(EvaluationError, match="C_0 has no finite coordinates"):
         OneCurve(curve.points, Knots(r=1e-309))
-
-
-def test_labels_stand_apart():
-    x = np.linspace(0, 1, 101)
-    places = label_places(np.stack([x, 1 - x, 0 * x - 3], axis=1))
-    assert set(places[:2]) <= {10, 90}
-    with_bump = np.stack([0 * x, np.exp(-200 * (x - 0.3) ** 2)], axis=1)
-    assert label_places(with_bump).tolist() == [30, 30]
 
 
 @given(seeds)

@@ -1,0 +1,92 @@
+"""Functions of the curve's parameter: weights, and the transformations with handles on the knots."""
+
+from __future__ import annotations
+
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.laboratory.plots import Plot, coloured, pen
+from qovr_app.view3d.theme import Theme
+from qovr_core.arrays import Array
+from qovr_core.laboratory.labels import label_places
+from qovr_core.laboratory.one_curve import SAMPLES
+
+_HEADROOM = 0.1
+"""Kept free above and below what a plot must show."""
+
+
+class FunctionPlot(Plot):
+    """Several functions of u on [0, 1], each with its name on it.
+
+    Parameters
+    ----------
+    symbols : the functions' names as rich text
+    colours : for each function the number of its colour in the theme's series
+    """
+
+    def __init__(
+        self, name: str, spoken: str, symbols: list[str], colours: list[int], parent: QWidget | None = None
+    ) -> None:
+        super().__init__(name, spoken, parent)
+        self._symbols, self._colours = symbols, colours
+        self._values: Array | None = None
+        self.setMouseEnabled(x=False, y=False)
+        self.view_box.setXRange(0, 1)
+        self._knot = pg.InfiniteLine(angle=90)
+        self._hover = pg.InfiniteLine(angle=90)
+        for line in (self._knot, self._hover):
+            self.addItem(line, ignoreBounds=True)
+        self._hover.setVisible(False)
+        self._lines = [self.make_line() for _ in symbols]
+        self._texts = [self.make_text() for _ in symbols]
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self._knot.setPen(pen(theme.axis, 1, Qt.PenStyle.DashLine))
+        self._hover.setPen(pen(theme.ink, 1))
+        for line, text, html, colour in zip(self._lines, self._texts, self.legend(), self.series, strict=True):
+            line.setPen(pen(colour, 1.8))
+            text.setHtml(html)
+            text.fill.setColor(QColor(*theme.background))
+            text.fill.setStyle(Qt.BrushStyle.SolidPattern)
+
+    @property
+    def series(self) -> list:
+        """The functions' colours."""
+        return [self.colours.series[number] for number in self._colours]
+
+    def legend(self, values: Array | None = None, *, decimals: int = 3, named: bool = True) -> list[str]:
+        """Return the functions' names in their colours as rich text, with their values where they are given."""
+        names = self._symbols if named else [""] * len(self._symbols)
+        if values is not None:
+            numbers = (f"{value:.{decimals}f}".replace("-", "−") for value in values)
+            names = [f"{name} {number}".strip() for name, number in zip(names, numbers, strict=True)]
+        return [coloured(name, colour) for name, colour in zip(names, self.series, strict=True)]
+
+    def show_functions(self, values: Array, u_ip: float, bounds: tuple[float, float]) -> None:
+        """Show the functions' values at ``SAMPLES``, (n, k), in a range that holds ``bounds`` at least."""
+        self._values = values
+        for k, line in enumerate(self._lines):
+            line.setData(SAMPLES, values[:, k])
+        for k, place in enumerate(label_places(values)):
+            self._texts[k].setPos(SAMPLES[place], values[place, k])
+        self._knot.setPos(u_ip)
+        self.view_box.setYRange(*bounds)
+
+    def show_hover(self, u: float | None) -> None:
+        """Mark a parameter; None takes the mark away."""
+        self._hover.setVisible(u is not None)
+        if u is not None:
+            self._hover.setPos(u)
+
+
+class WeightsPlot(FunctionPlot):
+    """The weights of the parabolas, or of the points."""
+
+    def show_weights(self, values: Array, u_ip: float) -> None:
+        """Show weights at ``SAMPLES``, (n, k)."""
+        low, high = min(0.0, float(values.min())), max(1.0, float(values.max()))
+        room = _HEADROOM * (high - low)
+        self.show_functions(values, u_ip, (low - room, high + room))

@@ -1,0 +1,190 @@
+"""The curve in its plane: points, parabolas in full and where they are blended, and the places of the knots."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.laboratory.plots import Plot, coloured, pen
+from qovr_app.panels.look import look
+from qovr_app.panels.symbols import symbol_html
+from qovr_app.view3d.theme import Theme
+from qovr_core.arrays import Array
+from qovr_core.laboratory.labels import place_labels
+from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+from qovr_core.laboratory.planes import Plane, View, plane_of
+
+_POINT, _RING, _DOT = 9, 15, 7
+_BLENDED_ALPHA = 90
+_ROOM_FOR_LABELS = 0.2
+_ROOM_FOR_KNOTS = 380
+"""From this width on the points' labels also name the knots without touching each other."""
+
+_FLATTEST = 0.02
+"""Across a curve that is straight the plot shows this part of its length, not rounding drawn large."""
+
+
+class GeometryPlot(Plot):
+    """Draws one curve and everything it is made of."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__("laboratory.curve.geometry", "The curve, its points and its three parabolas", parent)
+        self.view_box.setDefaultPadding(_ROOM_FOR_LABELS)
+        self._curve: OneCurve | None = None
+        self._plane: Plane | None = None
+        self._polygon = self.make_line()
+        self._auxiliary = [self.make_line(bounds=False) for _ in range(3)]
+        self._blended = [self.make_line() for _ in range(3)]
+        self._whole = [self.make_line() for _ in range(3)]
+        self._line = self.make_line()
+        self._backward = self.make_line()
+        self._rings, self._points = self.make_dots(_RING), self.make_dots(_POINT)
+        self._hover_parts, self._hover = self.make_dots(_DOT), self.make_dots(_POINT)
+        self._point_texts = [self.make_text() for _ in range(5)]
+        self._parabola_texts = [self.make_text() for _ in range(3)]
+        self.view_box.sigResized.connect(self._on_resized)
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        parts = theme.series[1:4]
+        self._polygon.setPen(pen(theme.axis, 1, Qt.PenStyle.DotLine))
+        for lines, width, style, alpha in (
+            (self._whole, 1.2, Qt.PenStyle.SolidLine, 255),
+            (self._blended, 6, Qt.PenStyle.SolidLine, _BLENDED_ALPHA),
+            (self._auxiliary, 1.2, Qt.PenStyle.DashLine, 255),
+        ):
+            for line, colour in zip(lines, parts, strict=True):
+                line.setPen(pen((*colour, alpha), width, style))
+        self._line.setPen(pen(theme.ink, 2.4))
+        self._backward.setPen(pen(look().warn, 2.4))
+        self._rings.setPen(pen(theme.ink, 1.2))
+        self._rings.setBrush(None)
+        self._points.setPen(pen(theme.background, 1))
+        self._hover.setPen(pen(theme.background, 1))
+        self._hover_parts.setPen(pen(theme.background, 1))
+        for text, colour in zip(self._parabola_texts, parts, strict=True):
+            text.fill.setColor(QColor(*theme.background))
+            text.fill.setStyle(Qt.BrushStyle.SolidPattern)
+            text.setColor(colour)
+        for k, text in enumerate(self._parabola_texts):
+            text.setHtml(coloured(f"{symbol_html('Q', k)}(<i>{'rst'[k]}</i>)", parts[k]))
+        self._draw()
+
+    def show_curve(self, curve: OneCurve, view: View) -> None:
+        """Show a curve in a plane."""
+        self._curve = curve
+        self._plane = plane_of(curve.points, view)
+        across, up = self._plane.labels
+        self.setLabels(bottom=across, left=up)
+        self._draw()
+
+    def show_hover(self, u: float | None) -> None:
+        """Mark the place of a parameter on the curve, and the three that are blended there; None takes marks away."""
+        if u is None or self._curve is None:
+            self._hover.setData([], [])
+            self._hover_parts.setData([], [])
+            return
+        places = self._curve.transformed([u])[0]
+        parts = np.concatenate([self._curve.parabola(p, [places[p]]) for p in range(3)])
+        self._hover.setData(pos=self._plane.drawn(self._curve.at([u])), brush=self.colours.ink)
+        self._hover_parts.setData(pos=self._plane.drawn(parts), brush=_brushes(self.colours.series[1:4]))
+
+    def nearest(self, place: tuple[float, float]) -> float:
+        """Return the parameter whose point is drawn nearest to a place, as the eye measures it."""
+        pixel = np.array(self.view_box.viewPixelSize())
+        drawn = self._plane.drawn(self._curve.at(SAMPLES))
+        return float(SAMPLES[np.argmin(np.linalg.norm((drawn - place) / pixel, axis=1))])
+
+    def _draw(self) -> None:
+        if self._curve is None:
+            return
+        curve, drawn = self._curve, self._plane.drawn
+        points = drawn(curve.points)
+        _set(self._polygon, points)
+        for p in range(3):
+            _set(self._whole[p], drawn(curve.parabola(p, SAMPLES)))
+            for line, (first, last) in ((self._blended[p], curve.blended[p]), (self._auxiliary[p], curve.auxiliary[p])):
+                _set(line, drawn(curve.parabola(p, np.linspace(first, last, len(SAMPLES)))))
+        _set(self._line, drawn(curve.at(SAMPLES)))
+        fold = curve.fold_back
+        _set(self._backward, drawn(curve.at(np.linspace(*fold.backward, 41))) if fold else points[:0])
+        self._rings.setData(pos=drawn(curve.at(curve.landmarks)))
+        self._points.setData(pos=points, brush=_brushes(self.colours.series))
+        self._place_texts()
+
+    def _place_texts(self) -> None:
+        """Put every name where it covers least."""
+        curve, drawn = self._curve, self._plane.drawn
+        seen = drawn(np.concatenate([curve.at(SAMPLES), *(curve.parabola(p, SAMPLES) for p in range(3))]))
+        beyond = [curve.parabola(p, np.linspace(*curve.auxiliary[p], len(SAMPLES))) for p in range(3)]
+        pixels, box = self._frame(seen)
+        points = drawn(curve.points)
+        for p, text in enumerate(self._parabola_texts):
+            text.setPos(*drawn(curve.parabola(p, [self._free_place(p)]))[0])
+        for k, text in enumerate(self._point_texts):
+            text.setHtml(self._point_html(k))
+            text.setPos(*points[k])
+        sizes = np.array([_size(text) for text in self._point_texts])
+        taken = [(np.array(text.pos().toTuple()) * pixels, _size(text)) for text in self._parabola_texts]
+        before, after = points[[0, 0, 1, 2, 3]], points[[1, 2, 3, 4, 4]]
+        centres = place_labels(
+            points * pixels,
+            sizes,
+            (points - (before + after) / 2) * pixels,
+            np.concatenate([seen, drawn(np.concatenate(beyond))]) * pixels,
+            gap=_RING / 2,
+            box=box,
+            taken=np.array(taken),
+        )
+        for text, centre, point, size in zip(self._point_texts, centres, points, sizes, strict=True):
+            across, up = (centre - point * pixels) / size
+            text.setAnchor((0.5 - across, 0.5 + up))
+
+    def _frame(self, seen: Array) -> tuple[Array, Array]:
+        """Return the pixels to a unit in the range that the plot takes by itself, and that range in pixels, (2, 2)."""
+        low, high = seen.min(axis=0), seen.max(axis=0)
+        least = _FLATTEST * max(*(high - low), np.finfo(float).tiny)
+        self.view_box.setLimits(minXRange=least, minYRange=least)
+        span = (1 + 2 * _ROOM_FOR_LABELS) * np.maximum(high - low, least)
+        pixels = np.array([self.view_box.width(), self.view_box.height()]) / span
+        middle = (low + high) / 2
+        return pixels, np.array([middle - span / 2, middle + span / 2]) * pixels
+
+    def _free_place(self, p: int) -> float:
+        """Return where on its own parabola a label is out of the curve's way."""
+        r, _, t = self._curve.internal_knots
+        if p != 1:
+            return r / 2 if p == 0 else (1 + t) / 2
+        x = SAMPLES[10:-10]
+        line, own = self._plane.drawn(self._curve.at(SAMPLES)), self._plane.drawn(self._curve.parabola(1, x))
+        gaps = np.linalg.norm(own[:, None] - line[None], axis=2).min(axis=1)
+        return float(x[np.argmax(gaps)])
+
+    def _point_html(self, k: int) -> str:
+        name = coloured(f"<b>{symbol_html('P', k)}</b>", self.colours.series[k])
+        if k in (0, 4):
+            return name
+        place = f"<i>{self._curve.parameter}</i> = {self._curve.landmarks[k - 1]:.4g}"
+        knot = f", <i>{'rst'[k - 1]}</i> = {self._curve.internal_knots[k - 1]:.4g}"
+        text = place + knot if self.width() >= _ROOM_FOR_KNOTS else place
+        return f'<div align="center">{name}<br>{coloured(text, self.colours.quiet_ink)}</div>'
+
+    def _on_resized(self) -> None:
+        if self._curve is not None:
+            self._place_texts()
+
+
+def _size(text: pg.TextItem) -> tuple[float, float]:
+    """Return width and height of a label in pixels."""
+    return text.textItem.boundingRect().size().toTuple()
+
+
+def _set(line: object, points: Array) -> None:
+    line.setData(points[:, 0], points[:, 1])
+
+
+def _brushes(colours: tuple) -> list:
+    return [pg.mkBrush(colour) for colour in colours]

@@ -1,0 +1,120 @@
+"""The transformations r(u), s(u), t(u), with a handle on every internal knot and the fold-back of s marked."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.laboratory.curve_functions import FunctionPlot
+from qovr_app.laboratory.plots import pen
+from qovr_app.panels.look import look
+from qovr_app.view3d.gestures import next_gesture
+from qovr_app.view3d.theme import Theme
+from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+
+_HANDLE = 12
+_STEPS = 1000
+"""Handles move in this many steps from 0 to 1 and stay off both ends, as the sliders do."""
+
+_LEAST_RANGE = (-0.5, 1.5)
+"""What r, s and t reach where every knot is 0.5."""
+
+_HEADROOM = 0.1
+_LENS_ALPHA, _FOLD_ALPHA = 26, 44
+_KNOTS_OF = {"r": ("r",), "s": ("u", "s"), "t": ("t",)}
+"""The knots that each handle moves: that of s lies at (u_ip, s_ip)."""
+
+
+class TransformationsPlot(FunctionPlot):
+    """Shows r, s and t over u.
+
+    The handles lie where the knots are: r_ip at u = 0, s_ip at u_ip, t_ip at u = 1. While the handle of s is in the
+    shaded lens between u^2 and 2u - u^2, s is monotone.
+
+    Signals
+    -------
+    knots_moved : a dict of knot names and wanted values, and the drag's gesture
+    """
+
+    knots_moved = Signal(object, int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        spoken = "The transformations r, s and t of the curve's parameter, with its four knots as handles"
+        super().__init__(
+            "laboratory.curve.transformations", spoken, [f"<i>{letter}</i>" for letter in "rst"], [1, 2, 3], parent
+        )
+        self._curve: OneCurve | None = None
+        self._gesture = 0
+        lens = [pg.PlotCurveItem(SAMPLES, SAMPLES**2), pg.PlotCurveItem(SAMPLES, 2 * SAMPLES - SAMPLES**2)]
+        self._lens = pg.FillBetweenItem(*lens)
+        self._fold = pg.LinearRegionItem(movable=False)
+        self._limits = [pg.InfiniteLine(pos=value, angle=0) for value in (0, 1)]
+        self._outside = self.make_line()
+        for item in (self._lens, self._fold, *self._limits):
+            item.setZValue(-10)
+            self.addItem(item, ignoreBounds=True)
+        self.handles = {name: self._make_handle(name) for name in _KNOTS_OF}
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self._lens.setBrush((*theme.series[2], _LENS_ALPHA))
+        warn = look().warn
+        self._fold.setBrush(warn.red(), warn.green(), warn.blue(), _FOLD_ALPHA)
+        for line in self._fold.lines:
+            line.setPen(pen(warn, 1))
+        for limit in self._limits:
+            limit.setPen(pen(theme.axis, 1))
+        self._outside.setPen(pen(warn, 3))
+        for handle, colour in zip(self.handles.values(), self.series, strict=True):
+            handle.setBrush(pg.mkBrush(theme.background))
+            handle.setPen(pen(colour, 2))
+            handle.setHoverBrush(pg.mkBrush(colour))
+            handle.setHoverPen(pen(theme.ink, 2))
+
+    def show_curve(self, curve: OneCurve) -> None:
+        """Show the transformations of a curve."""
+        self._curve = curve
+        values = curve.transformed(SAMPLES)
+        low, high = (end(limit, end(values[:, 1])) for end, limit in zip((min, max), _LEAST_RANGE, strict=True))
+        self.show_functions(values, curve.knots.u, (low - _HEADROOM, high + _HEADROOM))
+        fold = curve.fold_back
+        self._fold.setVisible(fold is not None)
+        if fold:
+            self._fold.setRegion(fold.backward)
+        u = np.linspace(*fold.outside, 41) if fold else SAMPLES[:0]
+        self._outside.setData(u, curve.transformed(u)[:, 1])
+        self._place_handles()
+
+    def _make_handle(self, name: str) -> pg.TargetItem:
+        handle = pg.TargetItem(size=_HANDLE, symbol="o")
+        handle.setZValue(10)
+        handle.setCursor(Qt.CursorShape.SizeAllCursor if name == "s" else Qt.CursorShape.SizeVerCursor)
+        handle.sigPositionChanged.connect(lambda: self._on_handle_moved(name))
+        handle.sigPositionChangeFinished.connect(self._on_handle_left)
+        self.addItem(handle, ignoreBounds=True)
+        return handle
+
+    def _place_handles(self) -> None:
+        """Put the handles where the knots are, silently."""
+        r, s, t = self._curve.internal_knots
+        places = {"r": (0.0, r), "s": (self._curve.knots.u, s), "t": (1.0, t)}
+        for name, handle in self.handles.items():
+            handle.blockSignals(True)
+            handle.setPos(places[name])
+            handle.blockSignals(False)
+
+    def _on_handle_moved(self, name: str) -> None:
+        self._gesture = self._gesture or next_gesture()
+        wanted = dict(zip(("u", name) if name == "s" else (None, name), self.handles[name].pos(), strict=True))
+        self._place_handles()
+        self.knots_moved.emit({knot: _allowed(wanted[knot]) for knot in _KNOTS_OF[name]}, self._gesture)
+
+    def _on_handle_left(self) -> None:
+        self._gesture = 0
+
+
+def _allowed(value: float) -> float:
+    """Return the nearest value that a handle may give a knot."""
+    return min(max(round(value * _STEPS), 1), _STEPS - 1) / _STEPS

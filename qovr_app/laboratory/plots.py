@@ -1,0 +1,140 @@
+"""Quiet plots in the program's own colours, for the panels of the laboratory."""
+
+from __future__ import annotations
+
+import pyqtgraph as pg
+from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QPen, QResizeEvent
+from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+
+from qovr_app.appearance import theme as theme_in_force
+from qovr_app.panels.look import SPACE, number_font
+from qovr_app.view3d.theme import Rgb, Theme, theme_of
+
+_SMALLER = 0.88
+"""Numbers on axes and labels in plots, against the window's own font."""
+
+_LABEL_MARGIN = 1
+_GRID = 0.16
+_PADDING = 0.04
+
+
+class Plot(pg.PlotWidget):
+    """A plot with two axes, numbers on them, and a faint grid. It has no menu and no buttons.
+
+    Signals
+    -------
+    hovered : (x, y) under the mouse in the plot's own units; None when the mouse has gone
+    """
+
+    hovered = Signal(object)
+
+    def __init__(self, name: str, spoken: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName(spoken)
+        self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
+        self.setAntialiasing(True)
+        self.setMenuEnabled(False)
+        self.hideButtons()
+        self.view_box.setDefaultPadding(_PADDING)
+        self.small_font = number_font(self.font())
+        self.small_font.setPointSizeF(_SMALLER * self.font().pointSizeF())
+        for side in ("left", "bottom"):
+            axis = self.getAxis(side)
+            axis.setStyle(tickFont=self.small_font, tickLength=4, tickTextOffset=3)
+            axis.label.setFont(self.small_font)
+            axis.enableAutoSIPrefix(False)
+        self.getAxis("left").setStyle(autoExpandTextSpace=False, tickTextWidth=28)
+        self.getAxis("bottom").setStyle(tickTextHeight=12)
+        self.showGrid(x=True, y=True, alpha=_GRID)
+        self.scene().sigMouseMoved.connect(self._on_mouse_moved)
+        self.colours = theme_of(theme_in_force())
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(100, 60)
+
+    @property
+    def view_box(self) -> pg.ViewBox:
+        """What maps the plot's units to pixels."""
+        return self.getPlotItem().getViewBox()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Draw in other colours."""
+        self.colours = theme
+        self.setBackground(theme.background)
+        for side in ("left", "bottom"):
+            axis = self.getAxis(side)
+            axis.setPen(pen(theme.axis))
+            axis.setTextPen(pen(theme.quiet_ink))
+
+    def make_line(self, *, bounds: bool = True) -> pg.PlotCurveItem:
+        """Return a new line in the plot; without ``bounds`` the plot's range does not follow it."""
+        line = pg.PlotCurveItem()
+        self.addItem(line, ignoreBounds=not bounds)
+        return line
+
+    def make_dots(self, size: float) -> pg.ScatterPlotItem:
+        """Return new discs in the plot, so many pixels wide."""
+        dots = pg.ScatterPlotItem(size=size)
+        self.addItem(dots, ignoreBounds=True)
+        return dots
+
+    def make_text(self) -> pg.TextItem:
+        """Return a new label in the plot, centred on its place."""
+        text = pg.TextItem(anchor=(0.5, 0.5))
+        text.textItem.document().setDocumentMargin(_LABEL_MARGIN)
+        text.setFont(self.small_font)
+        self.addItem(text, ignoreBounds=True)
+        return text
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.hovered.emit(None)
+
+    def _on_mouse_moved(self, position: QPointF) -> None:
+        if self.view_box.sceneBoundingRect().contains(position):
+            place = self.view_box.mapSceneToView(position)
+            self.hovered.emit((place.x(), place.y()))
+        else:
+            self.hovered.emit(None)
+
+
+class Captioned(QWidget):
+    """A plot under one line of text."""
+
+    def __init__(self, plot: Plot, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._texts: tuple[str, ...] = ("",)
+        self._label = QLabel(self, objectName=f"{plot.objectName()}.caption")
+        self._label.setTextFormat(Qt.TextFormat.RichText)
+        self._label.setFont(plot.small_font)
+        self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._label.setContentsMargins(SPACE, 1, SPACE, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(0)
+        layout.addWidget(self._label)
+        layout.addWidget(plot, 1)
+
+    def say(self, *texts: str) -> None:
+        """Show the first of several rich texts that the width has room for, the last one if none fits."""
+        self._texts = texts
+        for text in texts:
+            self._label.setText(text)
+            if self._label.sizeHint().width() <= self.width():
+                return
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self.say(*self._texts)
+
+
+def pen(colour: Rgb | QColor, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    """Return a pen that is so many pixels wide at any scale of the plot."""
+    return pg.mkPen(colour, width=width, style=style)
+
+
+def coloured(html: str, colour: Rgb) -> str:
+    """Return rich text in a colour."""
+    return f'<span style="color:#{"".join(f"{part:02x}" for part in colour)}">{html}</span>'

@@ -1,0 +1,83 @@
+"""Where labels in a drawing find room."""
+
+from __future__ import annotations
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.arrays import Array
+
+_SIDES = np.array([(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)], dtype=np.float64)
+_REACHES = (1.0, 3.0)
+"""A label is tried at its gap, and where that is crowded at this many gaps."""
+
+_FARTHER, _TURNED, _HIDDEN = 3.0, 3.0, 1000.0
+"""What counts as much as covering so many points of a line: lying farther off, lying on the side opposite to that
+wanted, and covering another label or leaving the drawing."""
+
+
+def label_places(values: npt.ArrayLike) -> npt.NDArray[np.intp]:
+    """Return where a label on each of several functions is farthest from the others.
+
+    Parameters
+    ----------
+    values : (n, k) the functions' values at n places
+
+    Returns
+    -------
+    (k,) the number of the place for each function; the outer tenths, where labels have no room, are left out
+    """
+    table = np.asarray(values, dtype=np.float64)
+    margin = len(table) // 10
+    inner = table[margin : len(table) - margin]
+    apart = np.abs(inner[:, :, None] - inner[:, None, :])
+    apart[:, np.arange(inner.shape[1]), np.arange(inner.shape[1])] = np.inf
+    places: npt.NDArray[np.intp] = margin + np.argmax(apart.min(axis=2), axis=0)
+    return places
+
+
+def place_labels(
+    places: Array, sizes: Array, wanted: Array, lines: Array, *, gap: float, box: Array, taken: Array
+) -> Array:
+    """Return where the centres of labels lie: beside their places, clear of lines and of each other.
+
+    Parameters
+    ----------
+    places : (k, 2) what the labels belong to, in pixels or other units that are equal both ways
+    sizes : (k, 2) the labels' widths and heights
+    wanted : (k, 2) to which side of its place each label goes if nothing is in the way; any length
+    lines : (n, 2) points of the lines to keep clear of
+    gap : between a place and its label
+    box : (2, 2) the drawing's lower left and upper right corner
+    taken : (m, 2, 2) centres and sizes of the labels that have their places already
+
+    Returns
+    -------
+    (k, 2) float64
+    """
+    centres = np.empty_like(places)
+    others = list(taken)
+    for k, (place, size) in enumerate(zip(places, sizes, strict=True)):
+        tried = np.concatenate([place + _SIDES * (size / 2 + reach * gap) for reach in _REACHES])
+        cost = np.repeat([0.0, _FARTHER], len(_SIDES)) + np.tile(_TURNED * _turn(wanted[k]), len(_REACHES))
+        cost += _inside(lines, tried, size / 2).sum(axis=1)
+        for centre, other in others:
+            cost += _HIDDEN * _inside(centre[None], tried, (size + other) / 2)[:, 0]
+        cost += _HIDDEN * ((tried - size / 2 < box[0]) | (tried + size / 2 > box[1])).any(axis=1)
+        centres[k] = tried[np.argmin(cost)]
+        others.append(np.array([centres[k], size]))
+    return centres
+
+
+def _turn(wanted: Array) -> Array:
+    """Return how far each side is from the one that is wanted, from 0 to 1."""
+    length = np.linalg.norm(wanted)
+    aim = wanted / length if length > 0 else np.array([0.0, 1.0])
+    turned: Array = (1 - _SIDES @ aim / np.linalg.norm(_SIDES, axis=1)) / 2
+    return turned
+
+
+def _inside(points: Array, centres: Array, halves: Array) -> npt.NDArray[np.bool_]:
+    """Return for every centre which points lie within a rectangle around it, (centres, points)."""
+    within = np.abs(points[None] - centres[:, None]) < halves
+    return np.asarray(within.all(axis=2))
