@@ -73,7 +73,7 @@ def edges(document: Document) -> Measurement:
     moves = knot_moves(document)
     return Measurement(
         value=float(moves.raw.parts.max()),
-        what=f"largest motion of an edge when one knot moves by {KNOT_STEP:g} as part of the surface's size",
+        what=f"largest motion of an edge when one knot moves by {KNOT_STEP:g}, as part of the surface's size",
         holds=bool(moves.raw.keeps.all()),
         note=f"{_who_moves(moves)}; {_corners(moves.raw)}",
         parts=_by_curve(moves, moves.has_effect, moves.raw.keeps),
@@ -86,7 +86,7 @@ def edges_transformed(document: Document) -> Measurement:
     counted = moves.has_effect & moves.box_keeps
     return Measurement(
         value=float(moves.transformed.parts.max()),
-        what=f"largest motion of an edge after T when one knot moves by {KNOT_STEP:g} as part of the net's size",
+        what=f"largest motion of an edge after T when one knot moves by {KNOT_STEP:g}, as part of the net's size",
         holds=bool(moves.transformed.keeps.all()),
         note=f"{counted.sum()} of {moves.has_effect.sum()} moves with an effect keep the sampled box; "
         f"{_corners(moves.transformed)}",

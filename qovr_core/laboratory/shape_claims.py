@@ -37,6 +37,9 @@ _REFINED = 15
 
 _GRID = np.linspace(0, 1, 21)
 
+_CENTRE = NET_SIZE**2 // 2
+"""The number of P_2,2 among the points."""
+
 
 def local(document: Document) -> Measurement:
     """The displacement falls off exponentially with the distance from the moved point (abstract, 5.3)."""
@@ -55,9 +58,6 @@ def local(document: Document) -> Measurement:
         note=f"worst for P_{worst // NET_SIZE},{worst % NET_SIZE}; moving P_2,2 moves {share:.0%} of the surface by "
         f"more than {_NOTICED:.0%} of the largest displacement and {edges}",
     )
-
-
-_CENTRE = NET_SIZE**2 // 2
 
 
 def point_displacements(document: Document) -> Array:
