@@ -42,6 +42,7 @@ class ClaimsPanel(LaboratoryPanel):
         self._document: Document | None = None
         self._steps: Iterator[Finding | None] | None = None
         self._found = 0
+        self._row: list[Finding] = []
         self._quiet = QTimer(self, singleShot=True, interval=QUIET_MILLISECONDS)
         self._quiet.timeout.connect(self._begin)
         self._idle = QTimer(self, interval=0)
@@ -103,7 +104,7 @@ class ClaimsPanel(LaboratoryPanel):
         self._steps = None
 
     def _begin(self) -> None:
-        self._found = 0
+        self._found, self._row = 0, []
         self._steps = verify_steps(self._document)
         self._idle.start()
 
@@ -118,7 +119,14 @@ class ClaimsPanel(LaboratoryPanel):
         if finding is None:
             return
         self._found += 1
-        self._table.show_finding(finding)
+        self._row.append(finding)
+        if len(self._row) == len(FORMULATIONS):  # whole rows: each repaint makes the window put itself together anew
+            self._show_row()
+
+    def _show_row(self) -> None:
+        for finding in self._row:
+            self._table.show_finding(finding)
+        self._row = []
         self._show_state(f"Deciding: {self._found} of {_ALL}")
         if self.is_current:
             self._stop()
@@ -194,11 +202,12 @@ def _details_html(finding: Finding) -> str:
     failing = "" if finding.counterexample is None else "another document, drawn or made for the trial"
     if failing and not here.holds:
         failing = "this document itself"
+    measured = here.what[0].upper() + here.what[1:]
     paragraphs = [
         f"<b>{_rich(claim.id)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
         f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
-        f"Here the claim {'holds' if here.holds else 'fails'}: {_rich(here.what)} <b>{number(here.value)}</b>.",
-        f"In all trials: {number(finding.largest)} at most.",
+        f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
+        f"{_rich(measured)}: <b>{number(here.value)}</b> here, {number(finding.largest)} at most in all trials.",
         f"Found: {_rich(here.note)}." if here.note else "",
         f"Counterexample: {failing}." if failing else "",
     ]

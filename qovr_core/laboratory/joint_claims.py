@@ -25,12 +25,12 @@ _EVEN = tuple(Knots(r=1 - u, s=u, u=u, t=1 - u) for u in (0.4, 0.45, 0.5, 0.55, 
 
 def c0(document: Document) -> Measurement:
     """Neighbours meet, Lemma 1, (45)."""
-    return _worst_jump(document, _POSITION, "largest gap between neighbours, of the surface's size")
+    return _worst_jump(document, _POSITION, "largest gap between neighbours as part of the surface's size")
 
 
 def c1(document: Document) -> Measurement:
     """The cross derivatives of neighbours are the same, Lemma 2, (50)."""
-    return _worst_jump(document, _TANGENT, "largest jump of the cross derivative, of the surface's size")
+    return _worst_jump(document, _TANGENT, "largest jump of the cross derivative as part of the surface's size")
 
 
 def _worst_jump(document: Document, order: int, what: str) -> Measurement:
@@ -74,7 +74,7 @@ KNOTS_CROSS_ALIKE = Condition(
 
 def c2(document: Document) -> Measurement:
     """The second cross derivatives of neighbours are not the same, Theorem 1, (60)."""
-    what = "largest jump of the second cross derivative, of the surface's size"
+    what = "largest jump of the second cross derivative as part of the surface's size"
     measured = _worst_jump(document, _CURVATURE, what)
     jumps = [jump for joint in joints(document, Continuation.DRAWN) for jump in joint.jumps()]
     smooth = _smooth_net(document)

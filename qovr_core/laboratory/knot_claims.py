@@ -23,6 +23,9 @@ from qovr_core.patch import PATCH_DEGREE, Edge
 KNOT_STEP = 0.1
 """Each knot is moved this far up and down, and half the way to 0 or 1 where there is not so much room."""
 
+_REMEMBERED = 16
+"""Both claims ask for the same moves: those of one document and its examples, under three formulations."""
+
 Flags = npt.NDArray[np.bool_]
 
 
@@ -70,7 +73,7 @@ def edges(document: Document) -> Measurement:
     moves = knot_moves(document)
     return Measurement(
         value=float(moves.raw.parts.max()),
-        what=f"largest motion of an edge when one knot moves by {KNOT_STEP:g}, of the surface's size",
+        what=f"largest motion of an edge when one knot moves by {KNOT_STEP:g}, as part of the surface's size",
         holds=bool(moves.raw.keeps.all()),
         note=f"{_who_moves(moves)}; {_corners(moves.raw)}",
         parts=_by_curve(moves, moves.has_effect, moves.raw.keeps),
@@ -83,7 +86,7 @@ def edges_transformed(document: Document) -> Measurement:
     counted = moves.has_effect & moves.box_keeps
     return Measurement(
         value=float(moves.transformed.parts.max()),
-        what=f"largest motion of an edge after T when one knot moves by {KNOT_STEP:g}, of the net's size",
+        what=f"largest motion of an edge after T when one knot moves by {KNOT_STEP:g}, as part of the net's size",
         holds=bool(moves.transformed.keeps.all()),
         note=f"{counted.sum()} of {moves.has_effect.sum()} moves with an effect keep the sampled box; "
         f"{_corners(moves.transformed)}",
@@ -124,7 +127,7 @@ def _by_curve(moves: KnotMoves, counted: Flags, keeps: Flags) -> dict[str, bool]
     }
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=_REMEMBERED)
 def knot_moves(document: Document) -> KnotMoves:
     """Move each of the 40 knots up and down, and compare surfaces, edges and boxes.
 

@@ -37,6 +37,9 @@ _REFINED = 15
 
 _GRID = np.linspace(0, 1, 21)
 
+_CENTRE = NET_SIZE**2 // 2
+"""The number of P_2,2 among the points."""
+
 
 def local(document: Document) -> Measurement:
     """The displacement falls off exponentially with the distance from the moved point (abstract, 5.3)."""
@@ -50,14 +53,11 @@ def local(document: Document) -> Measurement:
     edges = f"moves its edges by up to {part_on_edges:.2g} of that" if part_on_edges > ROUNDING else "keeps its edges"
     return Measurement(
         value=float(misfits[worst]),
-        what="misfit of the best exponential, of the largest displacement",
+        what="misfit of the best exponential as part of the largest displacement",
         holds=bool(misfits[worst] <= FITS),
         note=f"worst for P_{worst // NET_SIZE},{worst % NET_SIZE}; moving P_2,2 moves {share:.0%} of the surface by "
         f"more than {_NOTICED:.0%} of the largest displacement and {edges}",
     )
-
-
-_CENTRE = NET_SIZE**2 // 2
 
 
 def point_displacements(document: Document) -> Array:
@@ -107,21 +107,28 @@ def _best_decay(distance: Array, values: Array, lengths: Array) -> tuple[int, fl
 def symmetry(document: Document) -> Measurement:
     """With 0.5 knots and a symmetric net the surface is symmetric (5.3).
 
-    The nets are made from the document's: over a rectangle, with heights mirrored in u, mirrored in v, or alike
-    under half a turn.
+    The nets are made from the document's: as the paper's, over a rectangle, with heights mirrored in u, mirrored in v,
+    or alike under half a turn. A net in space that has no other symmetry than half a turn is tried besides.
     """
     asymmetries = {name: _asymmetry(name, made) for name, made in symmetric_documents(document).items()}
     worst = max(asymmetries, key=lambda name: asymmetries[name][0])
     symmetric = all(is_rounding for _, is_rounding in asymmetries.values())
+    notes = [] if symmetric else [f"the net with heights symmetric by {worst} gives a surface that is not"]
+    turned = _turned(document)
+    part, is_rounding = _asymmetry(_HALF_TURN, turned)
+    if not is_rounding:
+        notes.append(f"a net in space that is symmetric by half-turn alone gives a surface that is not, by {part:.2g}")
     return Measurement(
         value=asymmetries[worst][0],
-        what="largest mirrored difference, of the surface's size",
+        what="largest mirrored difference as part of the surface's size",
         holds=symmetric,
-        note="" if symmetric else f"the net with heights symmetric by {worst} gives a surface that is not",
+        note="; ".join(notes),
+        example=None if is_rounding else turned,
     )
 
 
-_MIRRORS = {"mirror in u": (False, True), "mirror in v": (True, False), "half-turn": (True, True)}
+_HALF_TURN = "half-turn"
+_MIRRORS = {"mirror in u": (False, True), "mirror in v": (True, False), _HALF_TURN: (True, True)}
 """By name, whether the symmetry reverses the rows i (v) and the columns j (u)."""
 
 
@@ -133,6 +140,14 @@ def symmetric_documents(document: Document) -> dict[str, Document]:
     y = np.broadcast_to(((y_of_row - y_of_row[::-1]) / 2 + y.mean())[:, None], z.shape)
     nets = {name: np.stack([x, y, (z + _reversed(z, *flips)) / 2], axis=-1) for name, flips in _MIRRORS.items()}
     return {name: with_knots(set_points(document, net), Knots()) for name, net in nets.items()}
+
+
+def _turned(document: Document) -> Document:
+    """Return the document with 0.5 knots and its net made symmetric by half a turn about its upright middle line."""
+    net = document.control_points
+    turned = net[::-1, ::-1].copy()
+    turned[..., :2] = 2 * net[..., :2].mean(axis=(0, 1)) - turned[..., :2]
+    return with_knots(set_points(document, (net + turned) / 2), Knots())
 
 
 def _reversed(values: Array, rows: bool, columns: bool) -> Array:
@@ -154,7 +169,7 @@ def _asymmetry(name: str, document: Document) -> tuple[float, bool]:
 
 
 def _last_row_is_symmetric(document: Document) -> bool:
-    heights = symmetric_documents(document)["half-turn"].control_points[-1, :, 2]
+    heights = symmetric_documents(document)[_HALF_TURN].control_points[-1, :, 2]
     return largest(heights - heights[::-1]) <= ROUNDING * largest(heights)
 
 
@@ -183,7 +198,7 @@ def boxes(document: Document) -> Measurement:
     flat = ", ".join(aligned.flat_axes)
     return Measurement(
         value=part_of(difference, size),
-        what=f"largest difference of the two boxes at {SAMPLES[0]} x {SAMPLES[1]} samples, of the net's size",
+        what=f"largest difference of the two boxes at {SAMPLES[0]} x {SAMPLES[1]} samples as part of the net's size",
         holds=difference <= noise,
         note=f"the raw surface has no extent along {flat}: T only moves there" if flat else "",
     )

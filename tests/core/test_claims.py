@@ -12,6 +12,7 @@ from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_clai
 from qovr_core.laboratory.claims import Claim, Condition, Measurement, Verdict, decide
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
 from qovr_core.laboratory.splines import catmull_rom
+from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
 from qovr_core.presets import preset
 from qovr_core.weights import weight_coefficients
@@ -270,7 +271,7 @@ def test_the_moves_of_knots_are_those_of_edited_documents(formulation):
     moves = knot_claims.knot_moves(document)
     before = build_patch(document)
     size = np.ptp(before.coefficients, axis=(0, 1)).max()
-    basis = bernstein.basis(6, np.linspace(0, 1, 41))
+    basis = bernstein.basis(6, np.linspace(0, 1, SAMPLES[0]))
     for k, (direction, curve, name) in enumerate(
         (direction, curve, name) for direction in Direction for curve in range(5) for name in "rsut"
     ):
@@ -333,6 +334,20 @@ def test_the_published_surface_is_symmetric_exactly_where_row_4_is():
     for seed in range(10):
         for document in shape_claims.symmetry_examples(random_document(seed, PUBLISHED)):
             assert shape_claims.symmetry(document).holds == shape_claims.ROW_4_SYMMETRIC.is_met(document)
+
+
+def test_half_a_turn_in_space_is_kept_by_the_interpolating_surface_alone():
+    u, v = np.linspace(0, 1, 7), np.linspace(0, 1, 5)
+    for formulation in Formulation:
+        measured = shape_claims.symmetry(random_document(12, formulation))
+        assert (measured.example is None) == (formulation is INTERPOLATING)
+    example = shape_claims.symmetry(random_document(12, DOUBLE_SUM)).example
+    net = example.control_points
+    middle = net.mean(axis=(0, 1))
+    assert np.allclose(net[::-1, ::-1] - middle, (net - middle) * [-1, -1, 1])
+    points = build_patch(example).points(u, v)
+    sums = points[::-1, ::-1] + points
+    assert np.ptp(sums[..., 0]) > 1e-3 * np.ptp(points[..., 0])
 
 
 def test_a_flat_raw_surface_has_no_scale():

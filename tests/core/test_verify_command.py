@@ -3,7 +3,7 @@
 import json
 import math
 import re
-import time
+import resource
 from pathlib import Path
 
 import pytest
@@ -20,23 +20,26 @@ README = Path(__file__).resolve().parents[2] / "README.md"
 LONGEST_SECONDS = 2.0
 
 
-@pytest.fixture(scope="module")
-def paper():
-    start = time.perf_counter()
-    run = qovr("verify", "paper:fig6b", "--json")
-    assert (run.code, run.err) == (0, "")
-    return json.loads(run.out), time.perf_counter() - start
-
-
 def no_constant(text):
     raise AssertionError(f"{text} is no JSON")
 
 
-def test_json_holds_every_claim_and_formulation(paper, tmp_path):
-    content, _ = paper
-    assert content["source"] == "paper:fig6b"
-    assert [claim["id"] for claim in content["claims"]] == [claim.id for claim in CLAIMS]
-    for claim in content["claims"]:
+def processor_seconds():
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+@pytest.fixture(scope="module")
+def paper():
+    run = qovr("verify", "paper:fig6b", "--json")
+    assert (run.code, run.err) == (0, "")
+    return json.loads(run.out, parse_constant=no_constant)
+
+
+def test_json_holds_every_claim_and_formulation(paper):
+    assert paper["source"] == "paper:fig6b"
+    assert [claim["id"] for claim in paper["claims"]] == [claim.id for claim in CLAIMS]
+    for claim in paper["claims"]:
         assert list(claim["formulations"]) == [str(formulation) for formulation in Formulation]
         for formulation, finding in claim["formulations"].items():
             assert finding["verdict"] in list(Verdict)
@@ -47,13 +50,13 @@ def test_json_holds_every_claim_and_formulation(paper, tmp_path):
                     assert document_from_json(json.dumps(document)).formulation == formulation
 
 
-def test_a_preset_takes_less_than_two_seconds(paper):
-    _, first = paper
-    seconds = [first]
-    while min(seconds) > LONGEST_SECONDS and len(seconds) < 4:  # a busy machine is not the program's fault
-        start = time.perf_counter()
-        qovr("verify", "paper:fig6b", "--json")
-        seconds.append(time.perf_counter() - start)
+def test_a_preset_takes_less_than_two_seconds():
+    """Of the processor's time: others on a busy machine are not the program's fault. ``make bench`` takes the clock."""
+    seconds = []
+    while len(seconds) < 4 and not (seconds and min(seconds) <= LONGEST_SECONDS):
+        start = processor_seconds()
+        assert qovr("verify", "paper:fig6b").code == 0
+        seconds.append(processor_seconds() - start)
     assert min(seconds) <= LONGEST_SECONDS
 
 
