@@ -76,7 +76,7 @@ class InfluencePanel(LaboratoryPanel):
         """Draw in other colours."""
         self._map.show_theme(theme)
         self._plot.show_theme(theme)
-        self._on_plot_hovered(None)
+        self._request()
 
     def _request(self) -> None:
         self._due.start()

@@ -89,6 +89,17 @@ def test_it_is_live(lab):
     assert numbers(lab)["at"] != before
 
 
+def test_a_surface_that_is_older_than_the_net_is_not_mixed_with_it(lab):
+    lab.trigger("live")
+    focus(lab, "control_points.P_2_2.z")
+    lab.window.controller.drag_point(2, 2, [2.0, 2.0, 0.9], gesture=1)
+    lab.settle()
+    expected = influence(lab.document, PointMove(2, 2, (0, 0, 0.57)), Layer.TRANSFORMED)
+    assert lab.document.control_points[2, 2, 2] == 0.9
+    assert numbers(lab)["Largest"] == f"{expected.largest:.4g}"
+    assert numbers(lab)["Edge u = 0"] == f"{expected.edges[Edge.U0]:.4g}"
+
+
 def test_the_surface_is_the_one_in_place_until_another_is_chosen(lab):
     focus(lab, "control_points.P_2_2.z")
     layer = lab.find(f"{NAME}.layer", QComboBox)
