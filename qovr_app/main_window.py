@@ -120,6 +120,7 @@ class MainWindow(QMainWindow):
         surface.figure_requested.connect(self.desk.save_figure)
         space.laboratory.panel_changed.connect(lambda name: check_shown(self.commands, name))
         space.laboratory.document_requested.connect(self.desk.open_document)
+        space.laboratory.figure_requested.connect(self.desk.save_drawing)
         space.laboratory.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.opened.connect(self._on_opened)

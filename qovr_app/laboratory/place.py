@@ -71,12 +71,13 @@ class LaboratoryPlace(QWidget):
     Signals
     -------
     panel_changed : the name of the panel that is shown now; empty when the place is closed
-    document_requested, values_edited, told : those of all panels
+    document_requested, values_edited, figure_requested, told : those of all panels
     """
 
     panel_changed = Signal(str)
     document_requested = Signal(object, str)
     values_edited = Signal(object, int)
+    figure_requested = Signal(str, object)
     told = Signal(str, bool)
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -124,14 +125,14 @@ class LaboratoryPlace(QWidget):
         self.panel_changed.emit("")
 
     def show_result(self, result: AlignedPatch) -> None:
-        """Take the latest result."""
+        """Take the latest result; told at once, so that panel and view reach the screen in one frame."""
         self._result = result
-        self._due.start()
+        self._tell_panel()
 
     def show_focus(self, focus: Focus) -> None:
         """Take the knot or point in focus."""
         self._focus = focus
-        self._due.start()
+        self._tell_panel()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -159,7 +160,7 @@ class LaboratoryPlace(QWidget):
         panel = entry.make()
         panel.setObjectName(f"laboratory.{entry.name}")
         panel.setAccessibleName(entry.title.replace("&", ""))
-        for signal in ("document_requested", "values_edited", "told"):
+        for signal in ("document_requested", "values_edited", "figure_requested", "told"):
             getattr(panel, signal).connect(getattr(self, signal))
         self._stack.addWidget(panel)
         self.panels[entry.name] = panel
