@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableWidg
 from qovr_app.laboratory.wording import list_text, motion_text, percent_text, value_text
 from qovr_app.panels.look import number_font, see_through
 from qovr_app.panels.numbers import block_text, number_text
+from qovr_core import Document
 from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, Exponential
 from qovr_core.laboratory.influence import Influence, Reach
 
@@ -79,7 +80,7 @@ def _exponential_facts(best: Exponential) -> list[Fact]:
     ]
 
 
-def copied_text(what: str, influence: Influence) -> str:
+def copied_text(what: str, document: Document, influence: Influence) -> str:
     """Return all numbers with every digit, tab separated, and the envelope as a table below them."""
     best = influence.falloff.exponential
     lines: list[tuple[str, float]] = [
@@ -97,7 +98,8 @@ def copied_text(what: str, influence: Influence) -> str:
     lines += [("exponential A", best.amplitude), ("exponential L", best.length), ("misfit", best.misfit)]
     text = "".join(f"{name}\t{number_text(value)}\n" for name, value in lines)
     envelope = block_text(influence.falloff.envelope.tolist())
-    return f"{what}\n{text}\ndistance\tlargest displacement\n{envelope}"
+    surface = f"{document.formulation}, {influence.layer}"
+    return f"change\t{what}\nsurface\t{surface}\n{text}\ndistance\tlargest displacement\n{envelope}"
 
 
 class FactTable(QTableWidget):

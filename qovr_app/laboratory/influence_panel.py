@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QGuiApplication
@@ -95,7 +97,7 @@ class InfluencePanel(LaboratoryPanel):
                 self._influence = found if found.largest else None
                 words = _why_nothing_moves(self._document, found)
         self._bar.set_copyable(self._influence is not None)
-        self._stack.setCurrentIndex(self._influence is not None)
+        self._stack.setCurrentWidget(self._words if self._influence is None else self._content)
         self._words.setText(words)
         if self._influence is not None:
             self._map.show_influence(self._influence)
@@ -105,7 +107,7 @@ class InfluencePanel(LaboratoryPanel):
             self._on_plot_hovered(None)
 
     def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(copied_text(self._bar.what, self._influence))
+        QGuiApplication.clipboard().setText(copied_text(self._bar.what, self._document, self._influence))
         self.told.emit(f"Copied the influence of {self._bar.what}", False)
 
     def _on_map_hovered(self, place: tuple[float, float] | None) -> None:
@@ -113,7 +115,7 @@ class InfluencePanel(LaboratoryPanel):
             self._map_caption.setText("|Δ<i>S</i>|, lines at 10 % and 1 %")
             return
         u, v = place
-        length = float(np.linalg.norm(self._influence.displacement.points([u], [v])))
+        length = math.hypot(*self._influence.displacement.points([u], [v])[0, 0])
         part = percent_text(length / self._influence.largest)
         self._map_caption.setText(f"<i>u</i> {u:.2f} <i>v</i> {v:.2f}: {value_text(length)} = {part}")
 
@@ -129,8 +131,8 @@ class InfluencePanel(LaboratoryPanel):
         self._plot_caption.setText(f"<i>d</i> {distance:.2f}: up to {value_text(most)} = {part}")
 
     def _arrange(self) -> None:
-        content = QWidget(self)
-        parts = QHBoxLayout(content)
+        self._content = QWidget(self)
+        parts = QHBoxLayout(self._content)
         parts.setContentsMargins(0, 0, 0, 0)
         parts.setSpacing(2 * SPACE)
         parts.addLayout(_captioned(self._map, self._map_caption), 6)
@@ -139,7 +141,7 @@ class InfluencePanel(LaboratoryPanel):
         parts.addWidget(self._table)
         self._stack = QStackedWidget(self)
         self._stack.addWidget(self._words)
-        self._stack.addWidget(content)
+        self._stack.addWidget(self._content)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
         layout.setSpacing(SPACE)

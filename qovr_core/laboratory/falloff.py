@@ -90,16 +90,18 @@ def fit_exponential(distance: Array, displacement: Array) -> Exponential:
     ----------
     distance, displacement : (k,) each; a displacement above 0 among them
     """
+    largest = displacement.max()
+    wanted = displacement / largest
     low, high = _LENGTHS
     for _ in range(_ROUNDS):
         lengths = np.geomspace(low, high, _CANDIDATES)
         shapes = np.exp(-distance / lengths[:, None])
-        amplitudes = shapes @ displacement / np.einsum("lk,lk->l", shapes, shapes)
-        deviations = amplitudes[:, None] * shapes - displacement
+        amplitudes = shapes @ wanted / np.einsum("lk,lk->l", shapes, shapes)
+        deviations = amplitudes[:, None] * shapes - wanted
         errors = np.sqrt(np.einsum("lk,lk->l", deviations, deviations) / distance.size)
         best = int(errors.argmin())
         low, high = lengths[max(best - 1, 0)], lengths[min(best + 1, _CANDIDATES - 1)]
-    return Exponential(float(amplitudes[best]), float(lengths[best]), float(errors[best] / displacement.max()))
+    return Exponential(float(largest * amplitudes[best]), float(lengths[best]), float(errors[best]))
 
 
 def _envelope(distance: Array, magnitude: Array) -> Array:

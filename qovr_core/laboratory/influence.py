@@ -191,7 +191,8 @@ def _size(patch: Patch) -> Array:
 
 
 def _lengths(displacement: Patch, u: Array, v: Array) -> Array:
-    lengths: Array = np.linalg.norm(displacement.points(u, v), axis=-1)
+    x, y, z = np.moveaxis(displacement.points(u, v), -1, 0)
+    lengths: Array = np.hypot(np.hypot(x, y), z)  # knots near 0 can make lengths whose squares overflow
     return lengths
 
 
@@ -218,6 +219,10 @@ def _reach(magnitude: Array, fall: Falloff | None, part: float, largest: float) 
 
 def _largest_along(edge: Array) -> float:
     """Return the largest length on a curve (7, 3) of displacements: at an end, or where its square is stationary."""
-    squared = bernstein.product(edge.T, edge.T).sum(axis=0)
+    size = np.abs(edge).max()
+    if size == 0:
+        return 0.0
+    unit = edge / size
+    squared = bernstein.product(unit.T, unit.T).sum(axis=0)
     places = np.concatenate([[0.0, 1.0], bernstein.roots(bernstein.derivative(squared, 0))])
-    return float(np.linalg.norm(bernstein.basis(PATCH_DEGREE, places) @ edge, axis=1).max())
+    return float(size * np.linalg.norm(bernstein.basis(PATCH_DEGREE, places) @ unit, axis=1).max())

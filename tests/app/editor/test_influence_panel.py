@@ -166,9 +166,8 @@ def test_numbers_are_copied_in_full(lab):
     assert lab.message() == "Copied the influence of P 2,3 along z by 0.57"
     expected = influence(lab.document, PointMove(2, 3, (0, 0, 0.57)), Layer.TRANSFORMED)
     head, table = QGuiApplication.clipboard().text().split("\n\n")
-    what, *lines = head.splitlines()
-    assert what == "P 2,3 along z by 0.57"
-    values = [line.split("\t") for line in lines]
+    values = [line.split("\t") for line in head.splitlines()]
+    assert values[:2] == [["change", "P 2,3 along z by 0.57"], ["surface", "published, transformed"]]
     assert float(dict(values)["largest displacement"]) == expected.largest
     assert float(dict(values)["largest motion of edge u=1"]) == expected.edges[Edge.U1]
     assert float(dict(values)["exponential L"]) == expected.falloff.exponential.length
