@@ -104,9 +104,9 @@ def test_a_reading_is_in_the_documents_units():
     knot, other = KnotPlace(Direction.ROWS, 3, "r"), align_patch(preset("fig5").document)
     result = align_patch(FIG8)
     surface = result.transformed_patch
-    reading = reading_at(
-        scene_of(FIG8, Layer.TRANSFORMED, Companions(other.patch, "fig5", knot)), (0.3, 0.8), ColourBy.SENSITIVITY
-    )
+    scene = scene_of(FIG8, Layer.TRANSFORMED, Companions(other.patch, "fig5", knot))
+    assert reading_at(scene, (0.3, 0.8), ColourBy.HEIGHT).sensitivity is None
+    reading = reading_at(scene, (0.3, 0.8), ColourBy.SENSITIVITY)
     assert reading.point == pytest.approx(surface.points([0.3], [0.8])[0, 0], abs=1e-12)
     assert reading.normal == pytest.approx(surface.normals([0.3], [0.8])[0, 0], abs=1e-12)
     k1, k2 = reading.largest, reading.smallest
