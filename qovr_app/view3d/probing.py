@@ -9,6 +9,7 @@ import numpy as np
 from qovr_app.view3d.camera import Camera, Size
 from qovr_app.view3d.mesh import surface_vertices
 from qovr_app.view3d.scene import Scene
+from qovr_app.view3d.settings import ColourBy
 from qovr_core.arrays import Array, read_only
 from qovr_core.laboratory.fields import Field, field_values
 
@@ -96,7 +97,7 @@ class Reading:
     point, normal : (3,) and (3,), the normal of length 1 along S_u x S_v
     gaussian, mean, largest, smallest : the curvatures; NaN where there are none
     distance : from the reference; None where there is none
-    sensitivity : to the knot that was turned to; None where there is none
+    sensitivity : to the knot that was turned to; None where there is none, or colours say something else
     """
 
     u: float
@@ -111,15 +112,16 @@ class Reading:
     sensitivity: float | None
 
 
-def reading_at(scene: Scene, place: Place) -> Reading:
-    """Return everything that is so at a place of a scene's surface."""
+def reading_at(scene: Scene, place: Place, by: ColourBy) -> Reading:
+    """Return everything that is so at a place of a scene's surface; the sensitivity where colours say it."""
     (u, v), companions = place, scene.companions
     curvature = scene.surface.curvature([u], [v])
 
     def value(field: Field, companion: object) -> float:
         return float(field_values(field, scene.surface, [u], [v], companion)[0, 0])
 
-    reference, knot = companions.reference, companions.knot
+    reference = companions.reference
+    has_slope = companions.knot is not None and by is ColourBy.SENSITIVITY
     return Reading(
         u,
         v,
@@ -127,5 +129,5 @@ def reading_at(scene: Scene, place: Place) -> Reading:
         normal=read_only(scene.surface.normals([u], [v])[0, 0]),
         **{name: float(getattr(curvature, name)[0, 0]) for name in ("gaussian", "mean", "largest", "smallest")},
         distance=None if reference is None else value(Field.DISTANCE, reference),
-        sensitivity=None if knot is None else value(Field.SENSITIVITY, scene.knot_slope),
+        sensitivity=value(Field.SENSITIVITY, scene.knot_slope) if has_slope else None,
     )

@@ -55,7 +55,7 @@ def draw_readout(painter: QPainter, picture: Picture, size: Size) -> None:
             painter.setPen(QPen(QColor(*colour), width))
             painter.setBrush(QColor(0, 0, 0, 0))
             painter.drawEllipse(QPointF(x, y), _RING, _RING)
-    rows = readout_rows(reading_at(scene, picture.probed))
+    rows = readout_rows(reading_at(scene, picture.probed, picture.settings.colour_by))
     columns = max(len(numbers) for _, numbers in rows)
     plate = QRectF(*_CORNER, 2 * _PAD + _LABEL + columns * _COLUMN, 2 * _PAD + len(rows) * _ROW)
     draw_plate(painter, plate, theme)

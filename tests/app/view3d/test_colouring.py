@@ -6,12 +6,14 @@ import numpy as np
 import pytest
 
 from qovr_app.view3d import scene as scenes
-from qovr_app.view3d.colouring import KNOT_NOTE, PIN_NOTE, SINGULAR_NOTE, UNDEFINED, colouring_of
+from qovr_app.view3d.canvas import blank_image, painting
+from qovr_app.view3d.colouring import KNOT_NOTE, PIN_NOTE, SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
 from qovr_app.view3d.colourmaps import DIVERGING, colour_table
 from qovr_app.view3d.mesh import spread
 from qovr_app.view3d.reflection import isophote_parts, zebra_is_light
 from qovr_app.view3d.scene import Companions, make_scene, scene_frame
 from qovr_app.view3d.settings import ColourBy, ColourRange, DisplaySettings, Layer, Scaling
+from qovr_app.view3d.theme import theme_of
 from qovr_core import Document, align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.laboratory.fields import Field, field_values
@@ -176,3 +178,31 @@ def test_isophotes_and_zebra_of_known_normals():
     for tilt, normal in zip(np.degrees(tilts), normals, strict=True):
         part = abs(90 - 2 * tilt) / 15 % 1
         assert zebra_is_light(normal[None], toward[:1])[0] == (abs(part - 0.5) > 0.25)
+
+
+@pytest.mark.parametrize("value", [1 / 3, 4.3e-17, -2.5e13, 0.0])
+def test_one_value_alone_is_written_short(app, value):
+    from PySide6.QtCore import QRectF
+
+    from qovr_app.view3d import colourbar
+
+    image = blank_image((120.0, 300.0), 1.0)
+    bar = colourbar._Bar(
+        Colouring(ColourBy.HEIGHT, colour_table("jet"), "z", (value, value)), theme_of("light"), (120.0, 300.0)
+    )
+    with painting(image) as painter:
+        assert colourbar._draw_ticks(painter, QRectF(10, 10, 14, 280), bar) < 40
+
+
+@pytest.mark.parametrize(
+    "limits", [(-3e-9, 3e-9), (-2e-3, 1e-3), (0.0, 0.73), (12.0, 97.0), (-4e11, 5e11), (-9e3, 9e3)]
+)
+def test_numbers_on_the_bar_leave_room_for_the_title(app, limits):
+    from PySide6.QtCore import QRectF
+
+    from qovr_app.view3d import colourbar
+
+    image = blank_image((120.0, 300.0), 1.0)
+    bar = colourbar._Bar(Colouring(ColourBy.MEAN, colour_table("jet"), "z", limits), theme_of("light"), (120.0, 300.0))
+    with painting(image) as painter:
+        assert 0 < colourbar._draw_ticks(painter, QRectF(10, 10, 14, 280), bar) < 40

@@ -13,7 +13,7 @@ from qovr_app.view3d.mesh import surface_vertices
 from qovr_app.view3d.probing import place_under, reading_at
 from qovr_app.view3d.readout import readout_rows, readout_text
 from qovr_app.view3d.scene import Companions, make_scene, scene_frame
-from qovr_app.view3d.settings import Layer, Scaling
+from qovr_app.view3d.settings import ColourBy, Layer, Scaling
 from qovr_core import align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.laboratory.sensitivity import knot_sensitivity
@@ -104,7 +104,9 @@ def test_a_reading_is_in_the_documents_units():
     knot, other = KnotPlace(Direction.ROWS, 3, "r"), align_patch(preset("fig5").document)
     result = align_patch(FIG8)
     surface = result.transformed_patch
-    reading = reading_at(scene_of(FIG8, Layer.TRANSFORMED, Companions(other.patch, "fig5", knot)), (0.3, 0.8))
+    scene = scene_of(FIG8, Layer.TRANSFORMED, Companions(other.patch, "fig5", knot))
+    assert reading_at(scene, (0.3, 0.8), ColourBy.HEIGHT).sensitivity is None
+    reading = reading_at(scene, (0.3, 0.8), ColourBy.SENSITIVITY)
     assert reading.point == pytest.approx(surface.points([0.3], [0.8])[0, 0], abs=1e-12)
     assert reading.normal == pytest.approx(surface.normals([0.3], [0.8])[0, 0], abs=1e-12)
     k1, k2 = reading.largest, reading.smallest
@@ -116,7 +118,7 @@ def test_a_reading_is_in_the_documents_units():
 
 
 def test_a_reading_says_only_what_there_is():
-    reading = reading_at(scene_of(FIG8), (0.25, 0.5))
+    reading = reading_at(scene_of(FIG8), (0.25, 0.5), ColourBy.HEIGHT)
     assert [name for name, _ in readout_rows(reading)] == ["u, v", "x, y, z", "normal", "K, H", "k_1, k_2"]
     lines = readout_text(reading).splitlines()
     assert lines[0] == "u, v\t0.25\t0.5"
