@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.laboratory.labels import label_places, place_labels
+from qovr_core.laboratory.labels import DISC, label_places, place_labels
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
 
@@ -263,7 +263,7 @@ def _add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) -
     ]
     to_pixels = axes.transData.transform
     before, after = to_pixels(points[[0, 0, 1, 2, 3]]), to_pixels(points[[1, 2, 3, 4, 4]])
-    lines = np.concatenate([_seen(plane, curve), _beyond(plane, curve)])
+    lines = np.concatenate([_seen(plane, curve), _beyond(plane, curve), np.repeat(points, DISC, axis=0)])
     per_point = axes.figure.dpi / 72
     centres = place_labels(
         to_pixels(points),

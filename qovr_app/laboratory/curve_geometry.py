@@ -13,7 +13,7 @@ from qovr_app.panels.look import look
 from qovr_app.panels.symbols import symbol_html
 from qovr_app.view3d.theme import Theme
 from qovr_core.arrays import Array
-from qovr_core.laboratory.labels import place_labels
+from qovr_core.laboratory.labels import DISC, place_labels
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
 
@@ -140,7 +140,7 @@ class GeometryPlot(Plot):
             points * pixels,
             sizes,
             (points - (before + after) / 2) * pixels,
-            np.concatenate([seen, drawn(np.concatenate(beyond))]) * pixels,
+            np.concatenate([seen, drawn(np.concatenate(beyond)), np.repeat(points, DISC, axis=0)]) * pixels,
             gap=_RING / 2,
             box=box,
             taken=np.array(taken),

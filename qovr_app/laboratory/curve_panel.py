@@ -36,6 +36,18 @@ _ROUNDING = 1e-6
 _LEAST_MILLIMETRES = (100, 75)
 """A figure with four plots and their names has no room below this."""
 
+_TIPS = (
+    """Thin: the parabolas Q_0, Q_1, Q_2 between their points
+Broad: what of them is blended
+Dashed: what is blended beyond their points
+Rings: where the parameter is 0, its internal knot, and 1""",
+    "How much each parabola counts: (1-u)^2, 2u(1-u) and u^2",
+    "How much each point counts; the five weights sum to 1",
+    """Drag the rings: r_ip on the left edge, s_ip and u_ip in the middle, t_ip on the right edge
+While the middle ring lies in the shaded lens, s does not fold back""",
+)
+"""What each plot shows, in the order of the plots."""
+
 _LEGENDS = ({}, {"decimals": 2}, {"decimals": 2, "named": False})
 """How values are written over a plot, at length and shorter."""
 
@@ -67,6 +79,8 @@ class CurvePanel(LaboratoryPanel):
             "laboratory.curve.weights", "The weights of the five points", points, [0, 1, 2, 3, 4], self
         )
         self._transformations = TransformationsPlot(self)
+        for plot, tip in zip(self._plots, _TIPS, strict=True):
+            plot.setToolTip(tip)
         self._arrange()
         self._connect()
 

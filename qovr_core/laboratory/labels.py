@@ -10,6 +10,9 @@ from qovr_core.arrays import Array
 _NEAR = 0.15
 """Labels on two functions are closer than they may be within this part of the drawing both ways."""
 
+DISC = 25
+"""A disc is as much in a label's way as so many points of a line."""
+
 _SIDES = np.array([(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)], dtype=np.float64)
 _REACHES = (1.0, 3.0)
 """A label is tried at its gap, and where that is crowded at this many gaps."""
