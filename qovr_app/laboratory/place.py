@@ -48,6 +48,13 @@ class PanelEntry:
 
 PANELS = (
     PanelEntry("curve", "One &curve", "One curve of the surface with all its parts", "curve_panel", "CurvePanel"),
+    PanelEntry(
+        "comparison",
+        "Co&mparison",
+        "Bezier, B-spline, NURBS and Catmull-Rom of the same net: in the view, and measured",
+        "comparison_panel",
+        "ComparisonPanel",
+    ),
 )
 """All panels, in the order of their tabs."""
 
@@ -64,13 +71,14 @@ class LaboratoryPlace(QWidget):
     Signals
     -------
     panel_changed : the name of the panel that is shown now; empty when the place is closed
-    document_requested, values_edited, told : those of all panels
+    document_requested, values_edited, told, rival_requested : those of all panels
     """
 
     panel_changed = Signal(str)
     document_requested = Signal(object, str)
     values_edited = Signal(object, int)
     told = Signal(str, bool)
+    rival_requested = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -80,6 +88,7 @@ class LaboratoryPlace(QWidget):
         self.setAutoFillBackground(True)
         self.setVisible(False)
         self.panels: dict[str, LaboratoryPanel] = {}
+        self._commands: dict[str, QAction] = {}
         self._result: AlignedPatch | None = None
         self._focus: Focus = None
         self._last_told: dict[str, dict[str, Any]] = {}
@@ -116,6 +125,10 @@ class LaboratoryPlace(QWidget):
         self.setVisible(False)
         self.panel_changed.emit("")
 
+    def use_commands(self, commands: dict[str, QAction]) -> None:
+        """Take the window's commands, for panels that offer one of them."""
+        self._commands = commands
+
     def show_result(self, result: AlignedPatch) -> None:
         """Take the latest result."""
         self._result = result
@@ -150,9 +163,10 @@ class LaboratoryPlace(QWidget):
 
     def _make_panel(self, entry: PanelEntry) -> LaboratoryPanel:
         panel = entry.make()
+        panel.use_commands(self._commands)
         panel.setObjectName(f"laboratory.{entry.name}")
         panel.setAccessibleName(entry.title.replace("&", ""))
-        for signal in ("document_requested", "values_edited", "told"):
+        for signal in ("document_requested", "values_edited", "told", "rival_requested"):
             getattr(panel, signal).connect(getattr(self, signal))
         self._stack.addWidget(panel)
         self.panels[entry.name] = panel
