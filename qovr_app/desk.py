@@ -18,11 +18,15 @@ from qovr_app.panels.notice import Notice
 from qovr_app.preferences import Preferences
 from qovr_app.recovery import RecoveryStore, Unsaved
 from qovr_app.session import DOCUMENT_SUFFIX, Session
+from qovr_app.view3d.figure import FigureOptions
 from qovr_core import Document, QovrError
 from qovr_core.files.sources import PRESET_PREFIX, READERS
 
 if TYPE_CHECKING:
     from qovr_app.view3d.view import View3D
+
+FigureWriter = Callable[[Path, FigureOptions], None]
+"""Writes a figure of these options into a file, or raises QovrError."""
 
 
 class Desk(QObject):
@@ -162,15 +166,23 @@ class Desk(QObject):
         dialog.open()
 
     def save_figure(self) -> None:
-        """Ask how large and where, and write what is seen."""
-        dialog = FigureDialog(self._stem.with_suffix(".png"), self._window)
-        dialog.accepted.connect(lambda: self._write_figure(dialog))
+        """Ask how large and where, and write what is seen in the 3D view."""
+        self._ask_for_figure("", "only the surface is pixels", lambda *asked: self._view().save_figure(*asked))
+
+    def save_drawing(self, name: str, write: FigureWriter) -> None:
+        """Ask how large and where, and let a drawing be written; ``name`` is added to the document's."""
+        self._ask_for_figure(f"_{name}", "everything is lines", write)
+
+    def _ask_for_figure(self, addition: str, vectors: str, write: FigureWriter) -> None:
+        first = self._stem.with_name(f"{self._stem.name}{addition}.png")
+        dialog = FigureDialog(first, vectors, self._window)
+        dialog.accepted.connect(lambda: self._write_figure(dialog, write))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
-    def _write_figure(self, dialog: FigureDialog) -> None:
+    def _write_figure(self, dialog: FigureDialog, write: FigureWriter) -> None:
         try:
-            self._view().save_figure(dialog.path, dialog.options)
+            write(dialog.path, dialog.options)
         except QovrError as error:
             self.told.emit(f"{error}.", True)
             return

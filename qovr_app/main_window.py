@@ -124,6 +124,7 @@ class MainWindow(QMainWindow):
         surface.figure_requested.connect(self.desk.save_figure)
         space.laboratory.panel_changed.connect(lambda name: check_shown(self.commands, name))
         space.laboratory.document_requested.connect(self.desk.open_document)
+        space.laboratory.figure_requested.connect(self.desk.save_drawing)
         space.laboratory.told.connect(lambda text, refused: self.tell(text, refused=refused))
         space.laboratory.rival_requested.connect(self.colours.show_rival)
         space.focus_changed.connect(self.colours.focus_on)

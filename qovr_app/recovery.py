@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import secrets
-import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
@@ -17,8 +16,6 @@ from qovr_core.files.atomic import replacing
 from qovr_core.files.qovr_document import document_from_json, document_to_json
 
 _SUFFIX = ".unsaved.json"
-_STALE_PART_SECONDS = 3600.0
-"""A half-written draft older than this was left by a killed process: no write takes so long."""
 
 
 def recovery_folder() -> Path:
@@ -107,11 +104,7 @@ class RecoveryStore:
             self._lock = lock
 
     def _sweep(self) -> None:
-        """Delete drafts and locks that killed processes left in the folder."""
-        limit = time.time() - _STALE_PART_SECONDS
-        for part in self._folder.glob(".qovr-*.part"):
-            if _changed(part) < limit:
-                part.unlink(missing_ok=True)
+        """Delete locks that killed processes left in the folder."""
         for orphan in self._folder.glob("*.lock"):
             file = orphan.with_name(orphan.stem + _SUFFIX)
             lock = _lock_of(file)

@@ -56,7 +56,7 @@ CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]]
     ),
     "colour_by": (
         ColourBy,
-        "&View/Colour &by",
+        "&View/C&olour by",
         {
             "height": ("&Height", None),
             "gaussian": ("&Gaussian curvature K", None),
@@ -152,7 +152,7 @@ def view_commands(
     commands.append(
         Command(
             "probe",
-            "Pro&be",
+            "Prob&e",
             switch("probe"),
             "&View",
             "F8",

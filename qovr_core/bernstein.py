@@ -1,4 +1,4 @@
-"""Polynomials in Bernstein form, eq. (3): bases, products, degree elevation, differences, halving."""
+"""Polynomials in Bernstein form, eq. (3): bases, products, degree elevation, differences, halving, roots."""
 
 from __future__ import annotations
 
@@ -9,6 +9,10 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
+
+ROOT_TOLERANCE = 1e-6
+"""How far a double root may come out from [0, 1], from the real axis, and from its twin: the square root of the
+precision of its coefficients."""
 
 
 @cache
@@ -91,3 +95,27 @@ def halving(degree: int) -> tuple[Array, Array]:
     for k in range(degree + 1):
         left[k, : k + 1] = binomials(k) / 2.0**k
     return read_only(left), read_only(left[::-1, ::-1].copy())
+
+
+def roots(coefficients: Array) -> Array:
+    """Return the roots in [0, 1] of one polynomial; a double root comes out once or twice.
+
+    Parameters
+    ----------
+    coefficients : (degree + 1,) in Bernstein form
+
+    Returns
+    -------
+    (k,) float64 in no order; none where all coefficients are 0
+    """
+    if not coefficients.any():
+        return np.empty(0)
+    # In x = t / (1 - t) the polynomial has these coefficients, times a power of 1 - t; t = 1 is x at infinity,
+    # where NumPy finds no root.
+    degree = coefficients.size - 1
+    x = np.roots((coefficients * binomials(degree))[::-1])
+    at_one = np.ones(degree - x.size)
+    x = x[np.abs(1 + x) > ROOT_TOLERANCE]
+    t = x / (1 + x)
+    is_inside = (np.abs(t.imag) <= ROOT_TOLERANCE) & (np.abs(t.real - 0.5) <= 0.5 + ROOT_TOLERANCE)
+    return np.concatenate([at_one, np.clip(t[is_inside].real, 0.0, 1.0)])

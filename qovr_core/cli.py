@@ -9,14 +9,14 @@ import sys
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
-from qovr_core.commands import compare, export, figures, info, presets, reproduce
+from qovr_core.commands import compare, export, figures, info, presets, reproduce, verify
 from qovr_core.commands.common import DONE, SOURCE_HELP, WRONG
 from qovr_core.errors import QovrError
 from qovr_core.version import VERSION
 
 _INTERRUPTED = 130
 
-_COMMANDS = (export, figures, reproduce, compare, presets, info)
+_COMMANDS = (export, figures, reproduce, verify, compare, presets, info)
 """In the order in which the help lists them."""
 
 Command = Callable[[argparse.Namespace], int]

@@ -1,4 +1,4 @@
-"""The paper's surface figures 5 to 8, drawn by matplotlib with no display."""
+"""The paper's figures 1, 2 and 5 to 8, drawn by matplotlib with no display."""
 
 from __future__ import annotations
 
@@ -8,12 +8,22 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core import bernstein
+from qovr_core.document import Document
 from qovr_core.errors import SourceError
 from qovr_core.files.atomic import replacing
+from qovr_core.formulations import curve_network
+from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.pipeline import Surface, configure
-from qovr_core.presets import FigureCase, figure_cases
+from qovr_core.presets import curve_case, figure_cases, network_case
+from qovr_core.weights import CURVE_DEGREE
 
 FIGURE_FORMATS = ("png", "svg", "pdf")
+
+_CURVE_FIGURES = {"fig1a": "draw_parabolas", "fig1b": "draw_knots", "fig1c": "draw_sensitivity"}
+"""The functions of ``qovr_core.curve_figures`` that draw them."""
+
+_NETWORK_FIGURE = "fig2"
 
 # MATLAB's view(36, 64) and view(0, 90): its azimuth is 90 degrees ahead of matplotlib's.
 _CAMERAS = {"paper": {"elev": 64.0, "azim": 36.0 - 90.0}, "top": {"elev": 90.0, "azim": 0.0 - 90.0}}
@@ -23,13 +33,23 @@ _ZOOM = {"paper": 0.9, "top": 1.1}
 
 _SIZE_INCHES = (6.4, 5.2)
 _POINT_COLOR = "#0032ff"
+_NET_COLOR = "#70767f"
+_ROW_COLOR = "#20242a"
+_NAMED_SAMPLE = {"C": 3 * len(SAMPLES) // 4, "K": len(SAMPLES) // 4}
+"""Where a curve of the network has its name: between two points, and not where the other family has its names."""
+
 _EDGE_COLOR = (0.0, 0.0, 0.0, 0.55)
 _EDGE_POINTS = 0.15
 """Width of a facet's edge: at 100 facets across 90 mm it must stay finer than the facet."""
 
 
-def find_figures(only: Iterable[str]) -> list[FigureCase]:
-    """Return the named figures in the paper's order, all of them where no name is given.
+def figure_names() -> tuple[str, ...]:
+    """Return the names of all figures in the paper's order."""
+    return (*_CURVE_FIGURES, _NETWORK_FIGURE, *figure_cases())
+
+
+def find_figures(only: Iterable[str]) -> list[str]:
+    """Return the names of the figures that are asked for in the paper's order, all of them where none is.
 
     A name may also be that of several, as ``fig6`` for ``fig6a`` to ``fig6d``.
 
@@ -37,22 +57,22 @@ def find_figures(only: Iterable[str]) -> list[FigureCase]:
     ------
     SourceError : a name is no figure's
     """
-    cases = figure_cases()
+    known = figure_names()
     chosen: set[str] = set()
     for name in only:
-        matching = {known for known in cases if known == name or known[:-1] == name}
+        matching = {figure for figure in known if figure == name or figure.rstrip("abcd") == name}
         if not matching:
-            raise SourceError(f"there is no figure '{name}'; expected one of {', '.join(cases)}")
+            raise SourceError(f"there is no figure '{name}'; expected one of {', '.join(known)}")
         chosen |= matching
-    return [case for case in cases.values() if case.name in chosen or not chosen]
+    return [name for name in known if name in chosen or not chosen]
 
 
-def save_figure(case: FigureCase, path: Path, *, dpi: int = 300) -> None:
-    """Draw one figure into a file of the kind that its suffix names, whole or not at all.
+def save_figure(name: str, path: Path, *, dpi: int = 300) -> None:
+    """Draw one of the paper's figures into a file of the kind that its suffix names, whole or not at all.
 
     Parameters
     ----------
-    case : the figure
+    name : one of ``figure_names()``
     path : ends in ``.png``, ``.svg`` or ``.pdf``
     dpi : resolution of a ``.png``
 
@@ -60,10 +80,30 @@ def save_figure(case: FigureCase, path: Path, *, dpi: int = 300) -> None:
     ------
     FileError : the file cannot be written
     """
-    figure = draw_figure(configure(case.preset.document), layer=case.layer, camera=case.camera)
+    write_figure(_draw(name), path, dpi=dpi)
+
+
+def write_figure(figure: Any, path: Path, *, dpi: float, transparent: bool = False) -> None:
+    """Write a matplotlib Figure as PNG, SVG or PDF, by the path's suffix, whole or not at all.
+
+    Raises
+    ------
+    FileError : the file cannot be written
+    """
     kind = path.suffix.lower().removeprefix(".")
     with replacing(path) as (draft,):
-        figure.savefig(draft, format=kind, dpi=dpi)
+        figure.savefig(draft, format=kind, dpi=dpi, transparent=transparent)
+
+
+def _draw(name: str) -> Any:
+    from qovr_core import curve_figures
+
+    if name == _NETWORK_FIGURE:
+        return draw_network(network_case().document)
+    if name in _CURVE_FIGURES:
+        return getattr(curve_figures, _CURVE_FIGURES[name])(OneCurve(*curve_case()))
+    case = figure_cases()[name]
+    return draw_figure(configure(case.preset.document), layer=case.layer, camera=case.camera)
 
 
 def draw_figure(surface: Surface, *, layer: str, camera: str) -> Any:
@@ -85,6 +125,33 @@ def draw_figure(surface: Surface, *, layer: str, camera: str) -> Any:
     _draw_control_points(axes, surface.document.control_points)
     _label_axes(axes, from_above=camera == "top")
     figure.colorbar(facets, ax=axes, label="Z-Axis Value", shrink=0.72, pad=0.08)
+    return figure
+
+
+def draw_network(document: Document) -> Any:
+    """Return a matplotlib Figure of the ten curves C_i(u) and K_j(v) over their control net, as Figure 2."""
+    from matplotlib.figure import Figure
+    from matplotlib.patheffects import withStroke
+
+    figure = Figure(figsize=_SIZE_INCHES, layout="constrained")
+    axes: Any = figure.add_subplot(projection="3d", proj_type="ortho", computed_zorder=False)
+    axes.view_init(**_CAMERAS["paper"])
+    axes.set_box_aspect(None, zoom=_ZOOM["paper"])
+    net = document.control_points
+    for line in (*net, *net.transpose(1, 0, 2)):
+        axes.plot(*line.T, color=_NET_COLOR, linewidth=0.8, linestyle=":", zorder=1)
+    network, basis = curve_network(document), bernstein.basis(CURVE_DEGREE, SAMPLES)
+    for letter, parameter, curves, color in (
+        ("C", "u", network.rows, _ROW_COLOR),
+        ("K", "v", network.columns, _POINT_COLOR),
+    ):
+        for k, curve in enumerate(curves):
+            points = basis @ curve
+            axes.plot(*points.T, color=color, linewidth=1.6, zorder=2)
+            name = axes.text(*points[_NAMED_SAMPLE[letter]], f" ${letter}_{k}({parameter})$", color=color, fontsize=8)
+            name.set(zorder=5, path_effects=[withStroke(linewidth=2, foreground="white")])
+    _draw_control_points(axes, net)
+    _label_axes(axes, from_above=False)
     return figure
 
 

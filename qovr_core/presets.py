@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.arrays import Array, read_only
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import SourceError
 from qovr_core.knots import Knots
@@ -59,6 +60,18 @@ def figure_cases() -> dict[str, FigureCase]:
         name: FigureCase(name, preset(entry["preset"]), entry["layer"], entry["camera"])
         for name, entry in _table()["figures"].items()
     }
+
+
+@cache
+def curve_case() -> tuple[Array, Knots]:
+    """Return the five points, (5, 3), and the knots of the curve of Figure 1."""
+    entry = _table()["curve"]
+    return read_only(np.array(entry["points"], dtype=np.float64)), Knots(**entry["knots"])
+
+
+def network_case() -> Preset:
+    """Return the preset whose curve network Figure 2 shows."""
+    return preset(_table()["network"]["preset"])
 
 
 def preset(name: str) -> Preset:

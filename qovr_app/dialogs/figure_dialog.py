@@ -28,13 +28,13 @@ _PIXELS = "pixels"
 class FigureDialog(QDialog):
     """Asks for the options of Save Figure, then for the file.
 
-    ``path`` and ``options`` hold the answer once the dialog was accepted.
+    ``path`` and ``options`` hold the answer once the dialog was accepted; ``vectors`` says what SVG and PDF hold.
     """
 
-    def __init__(self, path: Path, parent: QWidget | None = None) -> None:
+    def __init__(self, path: Path, vectors: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle("Save Figure")
-        self.path = path
+        self.path, self._vectors = path, vectors
         self._unit = QComboBox(objectName="figure.unit")
         self._unit.addItems([_MILLIMETRES, _PIXELS])
         self._width = self._length("figure.width", _FIRST.width)
@@ -83,7 +83,7 @@ class FigureDialog(QDialog):
 
     def _show_size(self) -> None:
         width, height = self.options.pixels
-        self._note.setText(f"{width} × {height} pixels; in SVG and PDF only the surface is pixels")
+        self._note.setText(f"{width} × {height} pixels; in SVG and PDF {self._vectors}")
 
     def _choose_file(self) -> None:
         kinds = ";;".join(f"{suffix[1:].upper()} (*{suffix})" for suffix in SUFFIXES)

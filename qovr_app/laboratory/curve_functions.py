@@ -74,6 +74,7 @@ class FunctionPlot(Plot):
             self._texts[k].setPos(SAMPLES[place], values[place, k])
         self._knot.setPos(u_ip)
         self.view_box.setYRange(*bounds)
+        self.settle()
 
     def show_hover(self, u: float | None) -> None:
         """Mark a parameter; None takes the mark away."""

@@ -13,7 +13,7 @@ from qovr_app.panels.look import look
 from qovr_app.panels.symbols import symbol_html
 from qovr_app.view3d.theme import Theme
 from qovr_core.arrays import Array
-from qovr_core.laboratory.labels import place_labels
+from qovr_core.laboratory.labels import DISC, place_labels
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
 
@@ -45,6 +45,7 @@ class GeometryPlot(Plot):
         self._hover_parts, self._hover = self.make_dots(_DOT), self.make_dots(_POINT)
         self._point_texts = [self.make_text() for _ in range(5)]
         self._parabola_texts = [self.make_text() for _ in range(3)]
+        self._point_htmls = [""] * 5
         self.view_box.sigResized.connect(self._on_resized)
 
     def show_theme(self, theme: Theme) -> None:
@@ -77,8 +78,9 @@ class GeometryPlot(Plot):
         """Show a curve in a plane."""
         self._curve = curve
         self._plane = plane_of(curve.points, view)
-        across, up = self._plane.labels
-        self.setLabels(bottom=across, left=up)
+        for side, label in zip(("bottom", "left"), self._plane.labels, strict=True):
+            if label != self.getAxis(side).labelText:
+                self.setLabel(side, label)
         self._draw()
 
     def show_hover(self, u: float | None) -> None:
@@ -114,6 +116,7 @@ class GeometryPlot(Plot):
         self._rings.setData(pos=drawn(curve.at(curve.landmarks)))
         self._points.setData(pos=points, brush=_brushes(self.colours.series))
         self._place_texts()
+        self.settle()
 
     def _place_texts(self) -> None:
         """Put every name where it covers least."""
@@ -125,7 +128,10 @@ class GeometryPlot(Plot):
         for p, text in enumerate(self._parabola_texts):
             text.setPos(*drawn(curve.parabola(p, [self._free_place(p)]))[0])
         for k, text in enumerate(self._point_texts):
-            text.setHtml(self._point_html(k))
+            html = self._point_html(k)
+            if html != self._point_htmls[k]:  # it takes long to lay out
+                self._point_htmls[k] = html
+                text.setHtml(html)
             text.setPos(*points[k])
         sizes = np.array([_size(text) for text in self._point_texts])
         taken = [(np.array(text.pos().toTuple()) * pixels, _size(text)) for text in self._parabola_texts]
@@ -134,7 +140,7 @@ class GeometryPlot(Plot):
             points * pixels,
             sizes,
             (points - (before + after) / 2) * pixels,
-            np.concatenate([seen, drawn(np.concatenate(beyond))]) * pixels,
+            np.concatenate([seen, drawn(np.concatenate(beyond)), np.repeat(points, DISC, axis=0)]) * pixels,
             gap=_RING / 2,
             box=box,
             taken=np.array(taken),

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from functools import partial
+from pathlib import Path
+
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.curve_functions import WeightsPlot
@@ -13,8 +16,9 @@ from qovr_app.panels.look import SPACE, look
 from qovr_app.panels.numbers import number_text
 from qovr_app.panels.parts import CompactButton
 from qovr_app.panels.symbols import symbol_html
+from qovr_app.view3d.figure import FigureOptions
 from qovr_app.view3d.theme import Theme
-from qovr_core import AlignedPatch, QovrError
+from qovr_core import AlignedPatch, FileError, QovrError
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
 from qovr_core.formulations import active_rows
@@ -24,6 +28,25 @@ from qovr_core.laboratory.planes import View
 _CURVES = [(direction, k) for direction in Direction for k in range(NET_SIZE)]
 _SUBSCRIPTS = "₀₁₂₃₄"
 _VIEWS = {View.BEST: "Best plane", View.XY: "x, y", View.XZ: "x, z", View.YZ: "y, z"}
+
+_SCREEN_DPI = 96
+_ROUNDING = 1e-6
+"""Part of a pixel without which a side in inches, multiplied again, could lose a whole one."""
+
+_LEAST_MILLIMETRES = (100, 75)
+"""A figure with four plots and their names has no room below this."""
+
+_TIPS = (
+    """Thin: the parabolas Q_0, Q_1, Q_2 between their points
+Broad: what of them is blended
+Dashed: what is blended beyond their points
+Rings: where the parameter is 0, its internal knot, and 1""",
+    "How much each parabola counts: (1-u)^2, 2u(1-u) and u^2",
+    "How much each point counts; the five weights sum to 1",
+    """Drag the rings: r_ip on the left edge, s_ip and u_ip in the middle, t_ip on the right edge
+While the middle ring lies in the shaded lens, s does not fold back""",
+)
+"""What each plot shows, in the order of the plots."""
 
 _LEGENDS = ({}, {"decimals": 2}, {"decimals": 2, "named": False})
 """How values are written over a plot, at length and shorter."""
@@ -56,6 +79,8 @@ class CurvePanel(LaboratoryPanel):
             "laboratory.curve.weights", "The weights of the five points", points, [0, 1, 2, 3, 4], self
         )
         self._transformations = TransformationsPlot(self)
+        for plot, tip in zip(self._plots, _TIPS, strict=True):
+            plot.setToolTip(tip)
         self._arrange()
         self._connect()
 
@@ -82,6 +107,10 @@ class CurvePanel(LaboratoryPanel):
         for plot in self._plots:
             plot.show_theme(theme)
         self._show_captions(None)
+
+    @property
+    def _chosen_view(self) -> View:
+        return list(_VIEWS)[self._view.currentIndex()]
 
     @property
     def _functions(self) -> tuple:
@@ -140,7 +169,7 @@ class CurvePanel(LaboratoryPanel):
             self.told.emit(f"{error}.", True)
             return
         self._curve = curve
-        self._geometry.show_curve(curve, list(_VIEWS)[self._view.currentIndex()])
+        self._geometry.show_curve(curve, self._chosen_view)
         self._blends.show_weights(curve.blends(SAMPLES), curve.knots.u)
         self._weights.show_weights(curve.weights(SAMPLES), curve.knots.u)
         self._transformations.show_curve(curve)
@@ -185,7 +214,7 @@ class CurvePanel(LaboratoryPanel):
         short = f"{name}, degree {4 if curve.knots.is_quartic else 6}"
         formulation = self._result.document.formulation
         if curve.direction is Direction.ROWS and curve.number not in active_rows(formulation):
-            return f"{short}, without effect on the {formulation} surface", f"{name}, without effect"
+            return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"
         return f"{short}&nbsp;&nbsp; broad: blended&nbsp;&nbsp; dashed: beyond its points", short
 
     def _how_s_runs(self) -> str:
@@ -195,4 +224,28 @@ class CurvePanel(LaboratoryPanel):
         low, high = fold.backward
         return f'<span style="color:{look().warn.name()}"><i>s</i> falls from {low:.3g} to {high:.3g}</span>'
 
-    def _save_figure(self) -> None: ...
+    def _save_figure(self) -> None:
+        if self._curve is not None:
+            write = partial(_write, self._curve, self._chosen_view, self._equal.isChecked())
+            self.figure_requested.emit(self._curve.name, write)
+
+
+def _write(curve: OneCurve, view: View, equal_scales: bool, path: Path, options: FigureOptions) -> None:
+    """Write a curve as a figure.
+
+    Raises
+    ------
+    FileError : another suffix, a size at which nothing could be read, or a file that cannot be written
+    """
+    from qovr_core.curve_figures import draw_curve
+    from qovr_core.figures import write_figure
+
+    options.check(path)
+    width, height = options.millimetres
+    if width < _LEAST_MILLIMETRES[0] or height < _LEAST_MILLIMETRES[1]:
+        least = " x ".join(str(side) for side in _LEAST_MILLIMETRES)
+        raise FileError(f"{path}: {width:.0f} x {height:.0f} mm is too small for a curve; expected at least {least} mm")
+    dpi = options.dpi or _SCREEN_DPI
+    across, up = ((side + _ROUNDING) / dpi for side in options.pixels)
+    figure = draw_curve(curve, view, (across, up), equal_scales=equal_scales)
+    write_figure(figure, path, dpi=dpi, transparent=options.transparent)

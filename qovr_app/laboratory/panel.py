@@ -19,18 +19,20 @@ class LaboratoryPanel(QWidget):
     """A panel that shows something of the configured surface and changes nothing by itself.
 
     While it is visible, its place tells it the theme, the focus and the latest result: once when it becomes visible,
-    and then whenever they change, at most once in a turn of the event loop.
+    and then whenever they change. A result comes at most once in a turn of the event loop, before the turn's frame.
 
     Signals
     -------
     document_requested : a Document to open as a new one, and its title
     values_edited : a dict of places and values that one intent changes, and its gesture, 0 for none
+    figure_requested : a name for the file, and a function of its path and FigureOptions that writes it
     told : a sentence for the message line, and whether it is a refusal
     rival_requested : a Rival for the view to show beside or over the surface, or None
     """
 
     document_requested = Signal(object, str)
     values_edited = Signal(object, int)
+    figure_requested = Signal(str, object)
     told = Signal(str, bool)
     rival_requested = Signal(object)
 

@@ -49,11 +49,21 @@ class PanelEntry:
 PANELS = (
     PanelEntry("curve", "One &curve", "One curve of the surface with all its parts", "curve_panel", "CurvePanel"),
     PanelEntry(
+        "influence",
+        "&Influence",
+        "What one point or knot moves, and how far",
+        "influence_panel",
+        "InfluencePanel",
+    ),
+    PanelEntry(
         "comparison",
         "Co&mparison",
         "Bezier, B-spline, NURBS and Catmull-Rom of the same net: in the view, and measured",
         "comparison_panel",
         "ComparisonPanel",
+    ),
+    PanelEntry(
+        "claims", "C&laims", "What the paper says of its surfaces, and what is so", "claims_panel", "ClaimsPanel"
     ),
 )
 """All panels, in the order of their tabs."""
@@ -71,12 +81,13 @@ class LaboratoryPlace(QWidget):
     Signals
     -------
     panel_changed : the name of the panel that is shown now; empty when the place is closed
-    document_requested, values_edited, told, rival_requested : those of all panels
+    document_requested, values_edited, figure_requested, told, rival_requested : those of all panels
     """
 
     panel_changed = Signal(str)
     document_requested = Signal(object, str)
     values_edited = Signal(object, int)
+    figure_requested = Signal(str, object)
     told = Signal(str, bool)
     rival_requested = Signal(object)
 
@@ -130,14 +141,14 @@ class LaboratoryPlace(QWidget):
         self._commands = commands
 
     def show_result(self, result: AlignedPatch) -> None:
-        """Take the latest result."""
+        """Take the latest result; told at once, so that panel and view reach the screen in one frame."""
         self._result = result
-        self._due.start()
+        self._tell_panel()
 
     def show_focus(self, focus: Focus) -> None:
         """Take the knot or point in focus."""
         self._focus = focus
-        self._due.start()
+        self._tell_panel()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
@@ -166,7 +177,7 @@ class LaboratoryPlace(QWidget):
         panel.use_commands(self._commands)
         panel.setObjectName(f"laboratory.{entry.name}")
         panel.setAccessibleName(entry.title.replace("&", ""))
-        for signal in ("document_requested", "values_edited", "told", "rival_requested"):
+        for signal in ("document_requested", "values_edited", "figure_requested", "told", "rival_requested"):
             getattr(panel, signal).connect(getattr(self, signal))
         self._stack.addWidget(panel)
         self.panels[entry.name] = panel

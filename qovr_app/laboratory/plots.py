@@ -88,6 +88,10 @@ class Plot(pg.PlotWidget):
         self.addItem(text, ignoreBounds=True)
         return text
 
+    def settle(self) -> None:
+        """Bring range and axes to what is drawn now; left to the next painting, they would ask for another one."""
+        self.scene().prepareForPaint()
+
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
         self.hovered.emit(None)
@@ -119,15 +123,19 @@ class Captioned(QWidget):
 
     def say(self, *texts: str) -> None:
         """Show the first of several rich texts that the width has room for, the last one if none fits."""
-        self._texts = texts
-        for text in texts:
-            self._label.setText(text)
-            if self._label.sizeHint().width() <= self.width():
-                return
+        if texts != self._texts:  # another text makes everything around the label lay itself out
+            self._texts = texts
+            self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self.say(*self._texts)
+        self._fit()
+
+    def _fit(self) -> None:
+        for text in self._texts:
+            self._label.setText(text)
+            if self._label.sizeHint().width() <= self.width():
+                return
 
 
 def pen(colour: Rgb | QColor, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:

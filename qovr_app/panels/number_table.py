@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt
+from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QSize, Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPalette
 from PySide6.QtWidgets import (
+    QAbstractButton,
     QAbstractItemView,
     QFrame,
     QHeaderView,
@@ -34,10 +35,14 @@ QHeaderView::section { color: palette(placeholder-text); }
 
 
 class _FittingDelegate(QStyledItemDelegate):
-    """Writes a number with as many digits, up to six, as the column is wide."""
+    """Writes a number with as many digits, up to six, as the column is wide; dimmed where it is no longer true."""
+
+    is_quiet = False
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> None:
         super().initStyleOption(option, index)
+        if self.is_quiet:
+            option.palette.setBrush(QPalette.ColorRole.Text, option.palette.placeholderText())
         value = index.data(Qt.ItemDataRole.UserRole)
         room = option.rect.width() - _ITEM_PADDING
         for digits in range(_MOST_DIGITS, _FEWEST_DIGITS - 1, -1):
@@ -71,8 +76,8 @@ class NumberTable(QTableWidget):
         self._numbers = np.full((len(rows), len(columns)), np.nan)
         self.setFont(number_font(self.font()))
         self.setPalette(see_through(self.palette()))
-        self.setStyleSheet(_PLAIN_HEADERS)
-        self.setItemDelegate(_FittingDelegate(self))
+        self._delegate = _FittingDelegate(self)
+        self.setItemDelegate(self._delegate)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setShowGrid(False)
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -81,6 +86,7 @@ class NumberTable(QTableWidget):
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._set_headers(rows, columns)
+        self._make_headers_plain()
         self._fill()
         self._corner = QLabel(corner, self)
         self._corner.setTextFormat(Qt.TextFormat.RichText)
@@ -99,10 +105,8 @@ class NumberTable(QTableWidget):
 
     def set_quiet(self, is_quiet: bool) -> None:
         """Dim numbers that are no longer true."""
-        role = QPalette.ColorRole.PlaceholderText if is_quiet else QPalette.ColorRole.Text
-        for r in range(self.rowCount()):
-            for c in range(self.columnCount()):
-                self.item(r, c).setForeground(self.palette().brush(role))
+        self._delegate.is_quiet = is_quiet
+        self.viewport().update()
 
     def copy(self) -> None:
         """Copy what is selected, or all, as a spreadsheet takes it."""
@@ -117,8 +121,18 @@ class NumberTable(QTableWidget):
         else:
             super().keyPressEvent(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._make_headers_plain()
+
     def minimumSizeHint(self) -> QSize:
         return QSize(160, self._content_height())
+
+    def _make_headers_plain(self) -> None:
+        """Style the headers in the theme in force; a style sheet of the table's own would keep its numbers from it."""
+        for part in (self.horizontalHeader(), self.verticalHeader(), self.findChild(QAbstractButton)):
+            part.setStyleSheet(_PLAIN_HEADERS)
 
     def _content_height(self) -> int:
         return (self.rowCount() + 1) * self._row_height()

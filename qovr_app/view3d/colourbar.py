@@ -34,7 +34,7 @@ _TICK_GAP = 6.0
 
 _ARROW = 9.0
 _FACTOR_GAP = 9.0
-_PLAIN_POWERS = range(-2, 4)
+_PLAIN_POWERS = range(-1, 4)
 """Powers of ten of numbers that are written in full; what is smaller or larger has its power over the bar."""
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -123,7 +123,7 @@ def _draw_ticks(painter: QPainter, rect: QRectF, bar: _Bar) -> float:
     theme, (low, high) = bar.theme, bar.colouring.limits
     values, places = _ticks(rect, low, high)
     power = _common_power(max(abs(low), abs(high)))
-    texts = tick_texts(values / 10.0**power)
+    texts = tick_texts(values / 10.0**power) if high > low else [_short(low / 10.0**power)]
     for y, text in zip(places.tolist(), texts, strict=True):
         painter.setPen(QPen(QColor(*theme.axis), 1.0))
         painter.drawLine(QLineF(rect.right() + 1, y, rect.right() + 4, y))
@@ -143,6 +143,10 @@ def _ticks(rect: QRectF, low: float, high: float) -> tuple[Array, Array]:
     if (low, high) == (0.0, LARGEST_ANGLE):
         values = np.arange(0.0, LARGEST_ANGLE + BAND, BAND)
     return values, rect.bottom() - (values - low) / (high - low) * rect.height()
+
+
+def _short(value: float) -> str:
+    return f"{value:.4g}".replace("-", "−")
 
 
 def _common_power(largest: float) -> int:

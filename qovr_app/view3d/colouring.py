@@ -15,12 +15,10 @@ from qovr_app.view3d.mesh import Counts, FloatArray
 from qovr_app.view3d.reflection import LARGEST_ANGLE
 from qovr_app.view3d.scene import Scene
 from qovr_app.view3d.settings import ColourBy, ColourRange, DisplaySettings, Scaling
+from qovr_app.view3d.surface_look import PATTERNS
 from qovr_app.view3d.theme import Rgb
 from qovr_core.arrays import Array, read_only
 from qovr_core.laboratory.fields import FIELDS, Field, Range, field_range, field_rounding
-
-PATTERNS = (ColourBy.ZEBRA, ColourBy.ISOPHOTES)
-"""What is no field of the surface, but made of its normals and the camera."""
 
 UNDEFINED = -1e6
 """The part of the colours that a vertex without a value has: no other comes near it, and no driver tampers with it."""
@@ -35,8 +33,8 @@ PIN_NOTE = "Pin a reference to see the distance from it: menu Laboratory, Pin as
 KNOT_NOTE = "Put the keyboard into a knot's field to see what that knot moves"
 SINGULAR_NOTE = "There is no curvature: the surface is drawn together into a line or a point"
 
-_PATTERN_TITLES = {ColourBy.ZEBRA: "Zebra stripes", ColourBy.ISOPHOTES: "Normal to line of sight, degrees"}
-_STRETCHED = ", stretched shape"
+_PATTERN_TITLES = {ColourBy.ZEBRA: "Zebra stripes", ColourBy.ISOPHOTES: "Normal to view, degrees"}
+_STRETCHED = " (stretched)"
 
 
 @dataclass(frozen=True, eq=False)

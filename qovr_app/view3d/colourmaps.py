@@ -12,8 +12,8 @@ from qovr_core.arrays import Array, read_only
 
 ENTRIES = 256
 
-DIVERGING = "coolwarm"
-"""For fields whose zero means something: light grey there, so that blue and red stand apart on either theme."""
+DIVERGING = "RdBu_r"
+"""For fields whose zero means something: white there, with lines around it on a light ground; signs at a glance."""
 
 
 @cache

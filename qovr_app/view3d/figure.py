@@ -64,6 +64,19 @@ class FigureOptions:
             return self.width, self.height
         return self.width * _INCH / 96, self.height * _INCH / 96
 
+    def check(self, path: Path) -> None:
+        """Refuse what no figure is written as.
+
+        Raises
+        ------
+        FileError : the path ends in another suffix, or the figure is of an absurd size
+        """
+        if path.suffix.lower() not in SUFFIXES:
+            raise FileError(f"{path}: a figure is written as {', '.join(SUFFIXES)}, by the file name's end")
+        if max(self.pixels) > _LARGEST_SIDE:
+            width, height = self.pixels
+            raise FileError(f"{path}: {width} x {height} pixels; expected at most {_LARGEST_SIDE} a side")
+
 
 def save_figure(path: Path, panels: list[Panel], options: FigureOptions, *, refit: bool) -> None:
     """Write viewports side by side as one figure.
@@ -76,13 +89,8 @@ def save_figure(path: Path, panels: list[Panel], options: FigureOptions, *, refi
     ------
     FileError : another suffix, an absurd size, or a file that cannot be written; nothing is left behind
     """
-    writers = {".png": _png, ".svg": _svg, ".pdf": _pdf}
-    writer = writers.get(path.suffix.lower())
-    if writer is None:
-        raise FileError(f"{path}: a figure is written as {', '.join(SUFFIXES)}, by the file name's end")
-    if max(options.pixels) > _LARGEST_SIDE:
-        width, height = options.pixels
-        raise FileError(f"{path}: {width} x {height} pixels; expected at most {_LARGEST_SIDE} a side")
+    options.check(path)
+    writer = {".png": _png, ".svg": _svg, ".pdf": _pdf}[path.suffix.lower()]
     _write_atomically(path, writer(_laid_out(panels, options, refit=refit), options))
 
 

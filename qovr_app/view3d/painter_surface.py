@@ -13,7 +13,7 @@ from qovr_app.view3d.mesh import Counts, surface_vertices
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.reflection import DARK_STRIPE, LIGHT_STRIPE, isophote_parts, zebra_is_light
 from qovr_app.view3d.settings import ColourBy, Style
-from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_width
+from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_width, relief
 from qovr_core.arrays import Array
 
 _MOVING_CELLS, _RESTING_CELLS = 30, 60
@@ -102,7 +102,7 @@ def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
         return colours
     normals = normals * np.where(normals[:, 2:] < 0, -1, 1)
     key = np.maximum(normals @ _KEY_LIGHT, 0)
-    light = 0.52 + 0.44 * key + 0.10 * normals[:, 2]
+    light = 1 + relief(picture.settings) * (0.52 + 0.44 * key + 0.10 * normals[:, 2] - 1)
     return np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
 
 

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_app.view3d.camera import Camera, Margins, Size
-from qovr_app.view3d.colouring import PATTERNS, Colouring, colouring_of
+from qovr_app.view3d.colouring import Colouring, colouring_of
 from qovr_app.view3d.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene import NetIndex, Scene
 from qovr_app.view3d.settings import DisplaySettings, Style
+from qovr_app.view3d.surface_look import PATTERNS
 from qovr_app.view3d.theme import Theme, theme_of
 
 _BAR_ROOM = 104.0

@@ -9,18 +9,25 @@ import numpy as np
 from qovr_app.view3d.camera import Camera, Size
 from qovr_app.view3d.mesh import surface_vertices
 from qovr_app.view3d.scene import Scene
+from qovr_app.view3d.settings import ColourBy
 from qovr_core.arrays import Array, read_only
 from qovr_core.laboratory.fields import Field, field_values
 
-_CELLS = 64
-"""Cells a side of the mesh on which the search starts: no sheet of a surface of degree 6 is narrower than some."""
+_CELLS = 48
+"""Cells a side of the mesh on which the search starts."""
 
-_STRAY = 2 / _CELLS
-"""Parameters by which the exact place may differ from that on the mesh; beyond it Newton's method has lost its way."""
+_AROUND = 0.5
+"""Part of a cell's extent on the screen by which the surface may leave the cell's rectangle, and then some."""
 
-_MOST_STEPS = 20
-_CLOSE = 1e-14
-"""Parameters: a last step shorter than this changes nothing but rounding."""
+_LONGEST_STEP = 3 / _CELLS
+"""Newton's method is held back to a few cells a step, or at an outline it would lose its way."""
+
+_MOST_STEPS = 30
+_ROUNDING = 1e-15
+"""Parameters: a last step that long changes nothing any more."""
+
+_MET = 1e-11
+"""Unit lengths between surface and line of sight that are rounding: they meet."""
 
 Place = tuple[float, float]
 """u and v."""
@@ -34,53 +41,50 @@ def place_under(scene: Scene, camera: Camera, size: Size, x: float, y: float) ->
     size : the viewport in logical pixels
     x, y : the pixel, not necessarily whole
     """
-    start = _place_on_mesh(scene, camera, size, x, y)
-    if start is None:
+    starts = _cells_near(scene, camera, size, x, y)
+    if starts.size == 0:
         return None
-    exact = _place_on_ray(scene, *camera.ray(x, y, size), start)
-    # Beside an outline of the mesh, or one of the surface, there may be no exact point.
-    return start if max(abs(exact[0] - start[0]), abs(exact[1] - start[1])) > _STRAY else exact
+    origin, direction = camera.ray(x, y, size)
+    places, points = _meetings(scene, origin, direction, starts)
+    if places.size == 0:
+        return None
+    u, v = places[np.argmin((points - origin) @ direction)].tolist()
+    return u, v
 
 
-def _place_on_mesh(scene: Scene, camera: Camera, size: Size, x: float, y: float) -> Place | None:
+def _cells_near(scene: Scene, camera: Camera, size: Size, x: float, y: float) -> Array:
+    """Return the middles (k, 2) of the cells that may show at a pixel, as u and v."""
     mesh = surface_vertices(scene.patch, (_CELLS + 1, _CELLS + 1))[..., :3].astype(np.float64)
-    seen = camera.project(mesh, size) - [x, y, 0]
-    corners = seen[:-1, :-1], seen[1:, :-1], seen[:-1, 1:], seen[1:, 1:]
-    best, place = np.inf, None
-    for (a, b, c), (u, v), sign in ((corners[:3], (0, 0), 1), (corners[:0:-1], (1, 1), -1)):
-        weight_b, weight_c, depth = _barycentric(a, b, c)
-        inside = (weight_b >= 0) & (weight_c >= 0) & (weight_b + weight_c <= 1)
-        depth = np.where(inside, depth, np.inf)
-        i, j = np.unravel_index(int(np.argmin(depth)), depth.shape)
-        if depth[i, j] < best:
-            best = depth[i, j]
-            along_u, along_v = (weight_b, weight_c) if sign > 0 else (weight_c, weight_b)
-            place = (i + u + sign * along_u[i, j]) / _CELLS, (j + v + sign * along_v[i, j]) / _CELLS
-    return None if place is None else (float(place[0]), float(place[1]))
+    seen = camera.project(mesh, size)[..., :2]
+    corners = np.stack([seen[:-1, :-1], seen[1:, :-1], seen[1:, 1:], seen[:-1, 1:]])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    reach = _AROUND * (high - low) + 1.0
+    near = ((low - reach <= [x, y]) & (high + reach >= [x, y])).all(axis=-1)
+    return (np.argwhere(near) + 0.5) / _CELLS
 
 
-def _barycentric(a: Array, b: Array, c: Array) -> tuple[Array, Array, Array]:
-    """Return the weights of b and c at the origin of the screen, and the depth there; NaN for triangles edge on."""
-    ab, ac = b - a, c - a
-    area = ab[..., 0] * ac[..., 1] - ab[..., 1] * ac[..., 0]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        weight_b = (ac[..., 0] * a[..., 1] - ac[..., 1] * a[..., 0]) / area
-        weight_c = (ab[..., 1] * a[..., 0] - ab[..., 0] * a[..., 1]) / area
-        return weight_b, weight_c, a[..., 2] + weight_b * ab[..., 2] + weight_c * ac[..., 2]
+def _meetings(scene: Scene, origin: Array, direction: Array, starts: Array) -> tuple[Array, Array]:
+    """Return where a line of sight meets the surface in front of the eye: u and v (k, 2), and the points (k, 3).
 
-
-def _place_on_ray(scene: Scene, origin: Array, direction: Array, start: Place) -> Place:
-    """Return where a ray meets the surface, by Newton's method in the plane across the ray."""
+    Newton's method in the plane across the line, from all starts (n, 2) at once; several find the same meeting, and
+    those that find none are left out.
+    """
     across = np.linalg.svd(direction[None])[2][1:]
-    at = np.array(start)
+    at = starts.copy()
     for _ in range(_MOST_STEPS):
-        point, su, sv = (scene.patch.derivative_at(at[:1], at[1:], *order)[0] for order in ((0, 0), (1, 0), (0, 1)))
-        jacobian = across @ np.stack([su, sv], axis=1)
-        step = np.linalg.lstsq(jacobian, across @ (origin - point), rcond=None)[0]
-        at = np.clip(at + step, 0.0, 1.0)
-        if np.abs(step).max() < _CLOSE:
+        point, su, sv = (scene.patch.derivative_at(*at.T, *order) for order in ((0, 0), (1, 0), (0, 1)))
+        missing, along_u, along_v = ((part @ across.T).T for part in (origin - point, su, sv))
+        determinant = along_u[0] * along_v[1] - along_u[1] * along_v[0]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step_u = (missing[0] * along_v[1] - missing[1] * along_v[0]) / determinant
+            step_v = (along_u[0] * missing[1] - along_u[1] * missing[0]) / determinant
+        step = np.clip(np.nan_to_num(np.stack([step_u, step_v], axis=1)), -_LONGEST_STEP, _LONGEST_STEP)
+        before, at = at, np.clip(at + step, 0.0, 1.0)
+        if np.abs(at - before).max() <= _ROUNDING:
             break
-    return float(at[0]), float(at[1])
+    points = scene.patch.derivative_at(*at.T, 0, 0)
+    met = (np.linalg.norm((points - origin) @ across.T, axis=1) <= _MET) & ((points - origin) @ direction > 0)
+    return at[met], points[met]
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,7 +97,7 @@ class Reading:
     point, normal : (3,) and (3,), the normal of length 1 along S_u x S_v
     gaussian, mean, largest, smallest : the curvatures; NaN where there are none
     distance : from the reference; None where there is none
-    sensitivity : to the knot that was turned to; None where there is none
+    sensitivity : to the knot that was turned to; None where there is none, or colours say something else
     """
 
     u: float
@@ -108,15 +112,16 @@ class Reading:
     sensitivity: float | None
 
 
-def reading_at(scene: Scene, place: Place) -> Reading:
-    """Return everything that is so at a place of a scene's surface."""
+def reading_at(scene: Scene, place: Place, by: ColourBy) -> Reading:
+    """Return everything that is so at a place of a scene's surface; the sensitivity where colours say it."""
     (u, v), companions = place, scene.companions
     curvature = scene.surface.curvature([u], [v])
 
     def value(field: Field, companion: object) -> float:
         return float(field_values(field, scene.surface, [u], [v], companion)[0, 0])
 
-    reference, knot = companions.reference, companions.knot
+    reference = companions.reference
+    has_slope = companions.knot is not None and by is ColourBy.SENSITIVITY
     return Reading(
         u,
         v,
@@ -124,5 +129,5 @@ def reading_at(scene: Scene, place: Place) -> Reading:
         normal=read_only(scene.surface.normals([u], [v])[0, 0]),
         **{name: float(getattr(curvature, name)[0, 0]) for name in ("gaussian", "mean", "largest", "smallest")},
         distance=None if reference is None else value(Field.DISTANCE, reference),
-        sensitivity=None if knot is None else value(Field.SENSITIVITY, scene.knot_slope),
+        sensitivity=value(Field.SENSITIVITY, scene.knot_slope) if has_slope else None,
     )

@@ -16,8 +16,8 @@ from qovr_app.view3d.text import SMALL, draw_text, plain, with_subscripts
 _CORNER = (10.0, 34.0)
 """Below the caption that tells two viewports apart."""
 
-_PAD, _ROW, _LABEL, _COLUMN = 8.0, 16.0, 62.0, 66.0
-_DIGITS = 6
+_PAD, _ROW, _LABEL, _COLUMN = 8.0, 16.0, 62.0, 68.0
+_DIGITS = 5
 _RING = 5.0
 
 Rows = list[tuple[str, tuple[float, ...]]]
@@ -55,7 +55,7 @@ def draw_readout(painter: QPainter, picture: Picture, size: Size) -> None:
             painter.setPen(QPen(QColor(*colour), width))
             painter.setBrush(QColor(0, 0, 0, 0))
             painter.drawEllipse(QPointF(x, y), _RING, _RING)
-    rows = readout_rows(reading_at(scene, picture.probed))
+    rows = readout_rows(reading_at(scene, picture.probed, picture.settings.colour_by))
     columns = max(len(numbers) for _, numbers in rows)
     plate = QRectF(*_CORNER, 2 * _PAD + _LABEL + columns * _COLUMN, 2 * _PAD + len(rows) * _ROW)
     draw_plate(painter, plate, theme)

@@ -10,7 +10,7 @@ import numpy as np
 from qovr_app.view3d.theme import Rgb
 from qovr_core.arrays import Array
 
-STRIPE = 12.0
+STRIPE = 15.0
 """Degrees of reflection from one dark stripe to the next: few enough to follow, enough to show a kink."""
 
 BAND = 10.0
@@ -19,7 +19,7 @@ BAND = 10.0
 LARGEST_ANGLE = 90.0
 
 LIGHT_STRIPE: Rgb = (244, 245, 247)
-DARK_STRIPE: Rgb = (30, 34, 42)
+DARK_STRIPE: Rgb = (66, 72, 84)
 
 
 def zebra_is_light(normals: Array, toward: Array) -> Array:

@@ -23,7 +23,7 @@ from qovr_app.view3d.mesh import Counts, FloatArray, facet_counts, surface_verti
 from qovr_app.view3d.picture import Picture
 from qovr_app.view3d.reflection import BAND, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE, STRIPE
 from qovr_app.view3d.settings import ColourBy, Style
-from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_periods, line_width
+from qovr_app.view3d.surface_look import POINT_SIZE, line_opacity, line_periods, line_width, relief
 from qovr_core.arrays import Array
 from qovr_core.patch import Patch
 
@@ -202,6 +202,7 @@ class SurfaceItem:
         ):  # fmt: skip
             GL.glUniform3f(at(name), *(channel / 255 for channel in colour))
         GL.glUniform1f(at("u_no_value"), UNDEFINED / 2)
+        GL.glUniform1f(at("u_relief"), relief(settings))
         GL.glUniform3f(at("u_degrees"), STRIPE, BAND, LARGEST_ANGLE)
         GL.glUniform1f(at("u_line_width"), line_width(settings.style) * shot.pixel_ratio)
         GL.glUniform1f(at("u_logical"), 1 / shot.pixel_ratio)

@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 from qovr_app.view3d.mesh import Counts
-from qovr_app.view3d.settings import DisplaySettings, Style
+from qovr_app.view3d.settings import ColourBy, DisplaySettings, Style
+
+PATTERNS = (ColourBy.ZEBRA, ColourBy.ISOPHOTES)
+"""What is no field of the surface, but made of its normals and the camera."""
 
 POINT_SIZE = 3.0
 """Logical pixels across a sample in the style of points."""
 
 _LINE_WIDTHS = {Style.FACETS: 1.0, Style.SMOOTH: 1.0, Style.WIREFRAME: 1.1, Style.POINTS: 0.0}
 _LINE_OPACITIES = {Style.FACETS: 0.62, Style.SMOOTH: 0.30, Style.WIREFRAME: 1.0, Style.POINTS: 0.0}
+
+_PATTERN_LINES = 0.4
+"""Over stripes and bands, which are lines themselves, parameter lines are that much paler."""
+
+_FIELD_RELIEF = 0.45
+"""Light on the smooth surface is that much weaker where colours are to be compared with those of the bar."""
 
 _COARSE_LINES = 20
 """Lines a side that stay while finer ones fade for want of room; each is a round number of samples apart."""
@@ -26,7 +35,13 @@ def line_width(style: Style) -> float:
 def line_opacity(settings: DisplaySettings) -> float:
     """Return the opacity of parameter lines; 0 means none."""
     shown = settings.parameter_lines or settings.style is Style.WIREFRAME
-    return _LINE_OPACITIES[settings.style] if shown else 0.0
+    paler = _PATTERN_LINES if settings.colour_by in PATTERNS else 1.0
+    return _LINE_OPACITIES[settings.style] * paler if shown else 0.0
+
+
+def relief(settings: DisplaySettings) -> float:
+    """Return how much of the light is seen on the smooth surface, from 0 to 1."""
+    return 1.0 if settings.colour_by is ColourBy.HEIGHT else _FIELD_RELIEF
 
 
 def line_periods(samples: Counts) -> tuple[tuple[float, float], tuple[float, float]]:

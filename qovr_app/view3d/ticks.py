@@ -54,7 +54,8 @@ def tick_texts(positions: Array) -> list[str]:
     if positions.size == 0:
         return []
     largest = float(np.abs(positions).max())
-    step = float(positions[1] - positions[0]) if positions.size > 1 else largest or 1.0
+    step = float(positions[1] - positions[0]) if positions.size > 1 else 0.0
+    step = step or largest or 1.0  # far from 0, neighbours can be one and the same number
     if largest >= _LONGEST_FIXED or step < _SMALLEST_FIXED:
         digits = max(0, math.floor(math.log10(largest or step)) - math.floor(math.log10(step) + _SLACK))
         texts = [f"{value:.{digits}e}" for value in positions]

@@ -159,7 +159,9 @@ class View3D(QWidget):
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
-        return "" if self._probed is None else readout_text(reading_at(self.picture().scene, self._probed))
+        if self._probed is None:
+            return ""
+        return readout_text(reading_at(self.picture().scene, self._probed, self._settings.colour_by))
 
     def shown_range(self) -> tuple[str, Range]:
         """Return what the colours say, and the values at their ends; not numbers where there are none."""

@@ -11,7 +11,7 @@ from qovr_core.errors import FileError, QovrError
 
 
 def add_command(commands: Any) -> None:
-    command = commands.add_parser("figures", help="draw the paper's Figures 5a to 8b")
+    command = commands.add_parser("figures", help="draw the paper's Figures 1, 2 and 5 to 8")
     command.add_argument("outdir", metavar="OUTDIR", type=Path)
     command.add_argument(
         "--only", action="append", default=[], metavar="NAME", help="as fig6b, or fig6 for all its parts"
@@ -28,15 +28,15 @@ def _figures(arguments: argparse.Namespace) -> int:
     for kind in kinds:
         if kind not in FIGURE_FORMATS:
             raise QovrError(f"there is no figure format '{kind}'; expected any of {', '.join(FIGURE_FORMATS)}")
-    cases = find_figures([name for entry in arguments.only for name in listed(entry)])
+    names = find_figures([name for entry in arguments.only for name in listed(entry)])
     try:
         arguments.outdir.mkdir(parents=True, exist_ok=True)
     except OSError as error:
         raise FileError(f"{arguments.outdir}: cannot be made: {error.strerror or error}") from error
-    files = [(case, arguments.outdir / f"{case.name}.{kind}") for case in cases for kind in kinds]
+    files = [(name, arguments.outdir / f"{name}.{kind}") for name in names for kind in kinds]
     with progress_bar("figures") as progress:
-        for done, (case, path) in enumerate(files):
-            save_figure(case, path, dpi=arguments.dpi)
+        for done, (name, path) in enumerate(files):
+            save_figure(name, path, dpi=arguments.dpi)
             progress((done + 1) / len(files))
     return DONE
 

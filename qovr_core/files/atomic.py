@@ -5,11 +5,18 @@ from __future__ import annotations
 import os
 import secrets
 import shutil
+import time
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from pathlib import Path
 
 from qovr_core.errors import FileError
+
+DRAFT_PREFIX, DRAFT_SUFFIX = ".qovr-", ".part"
+"""What the names of drafts, and of folders with parts of them, begin and end with."""
+
+_ABANDONED_SECONDS = 24 * 3600.0
+"""A draft not touched for so long was left by a killed process: no write takes a day."""
 
 
 @contextmanager
@@ -24,6 +31,8 @@ def replacing(*targets: Path) -> Iterator[tuple[Path, ...]]:
     FileError : a file cannot be made, written or put in its place
     """
     places = [Path(os.path.realpath(target)) for target in targets]
+    for folder in {place.parent for place in places}:
+        _sweep(folder)
     with ExitStack() as stack:
         drafts = tuple(
             stack.enter_context(_draft(target, place)) for target, place in zip(targets, places, strict=True)
@@ -53,7 +62,7 @@ def _draft(target: Path, place: Path) -> Iterator[Path]:
         raise FileError(f"{target}: cannot be written: the folder {target.parent} does not exist")
     if place.exists() and not os.access(place, os.W_OK):
         raise FileError(f"{target}: cannot be written: the file is write-protected")
-    draft = place.parent / f".qovr-{secrets.token_hex(6)}.part"
+    draft = place.parent / f"{DRAFT_PREFIX}{secrets.token_hex(6)}{DRAFT_SUFFIX}"
     try:
         draft.touch(exist_ok=False)
         if place.exists():
@@ -65,6 +74,18 @@ def _draft(target: Path, place: Path) -> Iterator[Path]:
         yield draft
     finally:
         draft.unlink(missing_ok=True)
+
+
+def _sweep(folder: Path) -> None:
+    """Delete what killed processes left in a folder, as far as that can be done."""
+    limit = time.time() - _ABANDONED_SECONDS
+    with suppress(OSError):
+        drafts = list(folder.glob(f"{DRAFT_PREFIX}*{DRAFT_SUFFIX}"))
+        for draft in (draft for draft in drafts if draft.lstat().st_mtime < limit):
+            if draft.is_dir():
+                shutil.rmtree(draft, ignore_errors=True)
+            else:
+                draft.unlink(missing_ok=True)
 
 
 def _flush_to_disk(path: Path) -> None:

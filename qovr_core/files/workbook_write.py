@@ -14,7 +14,7 @@ import numpy as np
 from qovr_core.document import Document
 from qovr_core.errors import FileError
 from qovr_core.files import published_layout as layout
-from qovr_core.files.atomic import replacing, unwritable
+from qovr_core.files.atomic import DRAFT_PREFIX, DRAFT_SUFFIX, replacing, unwritable
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
 from qovr_core.files.qovr_document import document_to_json
@@ -69,7 +69,7 @@ def write_workbook(surface: Surface, path: Path, progress: Progress) -> None:
 
     check_workbook_size(surface.document, path)
     # Rows go to disk one by one, so memory stays small: beside the target, where there must be room anyway.
-    with replacing(path) as (draft,), TemporaryDirectory(prefix=".qovr-", dir=draft.parent) as scratch:
+    with replacing(path) as (draft,), TemporaryDirectory(DRAFT_SUFFIX, DRAFT_PREFIX, draft.parent) as scratch:
         try:
             _write(surface, draft, Path(scratch), progress)
         except XlsxWriterException as error:

@@ -127,8 +127,10 @@ def field_range(field: Field, values: Array, *, robust: bool, least: float = 0.0
     if FIELDS[field].is_diverging:
         reach = max(abs(low), abs(high))
         return (-reach, reach) if reach > least else (0.0, 0.0)
+    if high - low > least:
+        return low, high
     middle = (low + high) / 2
-    return (low, high) if high - low > least else (middle, middle)
+    return (middle, middle) if abs(middle) > least else (0.0, 0.0)
 
 
 def field_rounding(field: Field, points: Array) -> float:

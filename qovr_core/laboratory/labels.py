@@ -7,6 +7,12 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array
 
+_NEAR = 0.15
+"""Labels on two functions are closer than they may be within this part of the drawing both ways."""
+
+DISC = 25
+"""A disc is as much in a label's way as so many points of a line."""
+
 _SIDES = np.array([(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)], dtype=np.float64)
 _REACHES = (1.0, 3.0)
 """A label is tried at its gap, and where that is crowded at this many gaps."""
@@ -17,7 +23,7 @@ wanted, and covering another label or leaving the drawing."""
 
 
 def label_places(values: npt.ArrayLike) -> npt.NDArray[np.intp]:
-    """Return where a label on each of several functions is farthest from the others.
+    """Return where a label on each of several functions is farthest from the others and from their labels.
 
     Parameters
     ----------
@@ -28,11 +34,19 @@ def label_places(values: npt.ArrayLike) -> npt.NDArray[np.intp]:
     (k,) the number of the place for each function; the outer tenths, where labels have no room, are left out
     """
     table = np.asarray(values, dtype=np.float64)
-    margin = len(table) // 10
-    inner = table[margin : len(table) - margin]
-    apart = np.abs(inner[:, :, None] - inner[:, None, :])
-    apart[:, np.arange(inner.shape[1]), np.arange(inner.shape[1])] = np.inf
-    places: npt.NDArray[np.intp] = margin + np.argmax(apart.min(axis=2), axis=0)
+    count, functions = table.shape
+    margin, near = count // 10, _NEAR * np.array([count, np.ptp(table)])
+    apart = np.abs(table[:, :, None] - table[:, None, :])
+    apart[:, np.arange(functions), np.arange(functions)] = np.inf
+    clear = apart.min(axis=2)
+    clear[:margin] = clear[count - margin :] = -np.inf
+    places = np.zeros(functions, dtype=np.intp)
+    for k in range(functions):
+        for other in range(k):
+            is_near = np.abs(np.arange(count) - places[other]) < near[0]
+            is_near &= np.abs(table[:, k] - table[places[other], other]) < near[1]
+            clear[is_near, k] -= np.ptp(table)
+        places[k] = np.argmax(clear[:, k])
     return places
 
 

@@ -8,6 +8,7 @@ uniform float u_no_value;
 uniform vec3 u_light_stripe;
 uniform vec3 u_dark_stripe;
 uniform vec3 u_degrees;
+uniform float u_relief;
 uniform vec2 u_cells;
 uniform vec4 u_fine;
 uniform vec4 u_coarse;
@@ -67,7 +68,7 @@ vec3 lit(vec3 colour) {
     shine *= shine;
     shine *= shine;
     shine *= shine;
-    return colour * (0.52 + 0.44 * key + 0.10 * normal.z) + 0.08 * shine;
+    return colour * mix(1.0, 0.52 + 0.44 * key + 0.10 * normal.z, u_relief) + 0.08 * shine * u_relief;
 }
 #endif
 

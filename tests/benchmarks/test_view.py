@@ -139,6 +139,51 @@ def test_an_edit_with_its_redraw(bench, row, size):
     row("orbiting / edit with redraw", at, orbit / ours, at_least=0.85 if size == 101 else None)
 
 
+@pytest.fixture
+def coloured(bench):
+    """The bench with a pinned reference and a knot in focus; colours are those of heights again at the end."""
+    from qovr_core.edits import Direction, KnotPlace
+    from qovr_core.presets import preset
+
+    bench.session.apply("Set samples", edits.set_samples(bench.session.document, (101, 101)))
+    bench.view.set_reference(configure(preset("fig6c").document).transformed_patch, "fig6c")
+    bench.view.set_focus_knot(KnotPlace(Direction.ROWS, 4, "s"))
+    bench.settle()
+    yield bench
+    colour_by(bench, "height")
+
+
+def colour_by(bench, name):
+    from qovr_app.view3d.settings import ColourBy
+
+    bench.view.set_settings(replace(bench.view.settings, colour_by=ColourBy(name)))
+
+
+@pytest.mark.parametrize("name", ["gaussian", "sensitivity", "zebra", "isophotes"])
+def test_switching_what_colours_the_surface(coloured, row, name):
+    """To a field that was not asked for before, against drawing the same picture once more."""
+    plain, switched = [], []
+    for k in range(20):
+        colour_by(coloured, "height")
+        coloured.frame(coloured.edit, k)
+        coloured.settle(0.3)
+        plain.append(coloured.frame(lambda _: coloured.view._show(), k))
+        switched.append(coloured.frame(lambda _: colour_by(coloured, name), k))
+    row(f"switch to {name} / plain redraw", "101 x 101", np.median(switched) / np.median(plain), at_most=2)
+
+
+@pytest.mark.parametrize("name", ["gaussian", "distance", "sensitivity", "zebra", "isophotes"])
+def test_an_edit_in_other_colours(coloured, row, name):
+    medians = {}
+    for by in ("height", name):
+        colour_by(coloured, by)
+        coloured.settle(0.3)
+        coloured.timed(coloured.edit, 5)
+        medians[by] = np.median(coloured.timed(coloured.edit))
+    goal = None if name == "distance" else 1.5
+    row(f"edit with {name} / with height", "101 x 101", medians[name] / medians["height"], at_most=goal)
+
+
 def test_from_a_drag_event_to_its_frame(bench, row):
     """Real mouse events on a control point; milliseconds, which hold for this machine only."""
     from PySide6.QtCore import QPoint, Qt

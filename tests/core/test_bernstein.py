@@ -50,3 +50,28 @@ def test_halving(a):
 def test_parameters_must_be_one_dimensional():
     with pytest.raises(ValueError, match=r"shape \(2, 2\); expected one dimension"):
         bernstein.basis(3, np.zeros((2, 2)))
+
+
+def from_roots(places):
+    """Return the Bernstein coefficients of the polynomial with these roots."""
+    result = np.ones(1)
+    for place in places:
+        result = bernstein.product(result, np.array([-place, 1 - place]))
+    return result
+
+
+@given(st.lists(st.sampled_from([0.0, 0.125, 0.3, 0.5, 0.7, 0.99, 1.0]), max_size=5, unique=True))
+def test_roots(places):
+    beyond = bernstein.product(from_roots(places), from_roots([-2.0, 1.5]))
+    assert sorted(bernstein.roots(beyond)) == pytest.approx(sorted(places), abs=1e-9)
+
+
+@pytest.mark.parametrize("place", [0.0, 0.4, 1.0])
+def test_a_double_root_is_found(place):
+    found = bernstein.roots(from_roots([place, place, 0.8]))
+    assert len(found) in (2, 3)
+    assert {round(root, 5) for root in found.tolist()} == {place, 0.8}
+
+
+def test_no_polynomial_has_all_roots():
+    assert bernstein.roots(np.zeros(7)).size == 0

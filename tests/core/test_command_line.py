@@ -384,7 +384,7 @@ BAD_CALLS = [
         "a.ply: a tolerance of 1e-12 needs more than 4096 x 4096",
     ),
     (["export", "paper:fig5", "a.stl", "--tolerance", "1e-12"], "a.stl: a tolerance of 1e-12 is lost in 32-bit"),
-    (["figures", "out", "--only", "fig9"], "there is no figure 'fig9'; expected one of fig5a, fig5b"),
+    (["figures", "out", "--only", "fig9"], "there is no figure 'fig9'; expected one of fig1a, fig1b"),
     (["figures", "out", "--formats", "gif"], "there is no figure format 'gif'; expected any of png, svg, pdf"),
     (["figures", "out", "--dpi", "9"], "'9' is no resolution"),
     (["reproduce", "missing.xlsx"], "missing.xlsx: cannot be read: No such file or directory"),

@@ -4,6 +4,7 @@ import csv
 import json
 import os
 import stat
+import time
 
 import numpy as np
 import openpyxl
@@ -233,6 +234,21 @@ def test_of_two_files_none_appears_where_one_fails(tmp_path):
         write_one_and_fail()
     assert first.read_text() == "old"
     assert [entry.name for entry in tmp_path.iterdir()] == ["a"]
+
+
+def test_what_a_killed_process_left_goes_with_a_later_write_to_its_folder(tmp_path):
+    two_days_ago = time.time() - 2 * 24 * 3600
+    (tmp_path / ".qovr-0123456789ab.part").write_text("half")
+    (tmp_path / ".qovr-scratch.part").mkdir()
+    (tmp_path / ".qovr-scratch.part" / "rows").write_text("half")
+    (tmp_path / ".qovr-fresh.part").write_text("another process is writing this")
+    for name in (".qovr-notes", "mine.part"):
+        (tmp_path / name).write_text("not ours")
+    for entry in tmp_path.iterdir():
+        if "fresh" not in entry.name:
+            os.utime(entry, (two_days_ago, two_days_ago))
+    write_document(random_document(1), tmp_path / "a.qovr")
+    assert {entry.name for entry in tmp_path.iterdir()} == {"a.qovr", ".qovr-fresh.part", ".qovr-notes", "mine.part"}
 
 
 @pytest.mark.parametrize("name", ["a", "a.txt", "a.XLS"])

@@ -12,6 +12,9 @@ def test_labels_stand_apart():
     assert set(places[:2]) <= {10, 90}
     with_bump = np.stack([0 * x, np.exp(-200 * (x - 0.3) ** 2)], axis=1)
     assert label_places(with_bump).tolist() == [30, 30]
+    side_by_side = np.stack([0 * x, 0 * x + 0.01, x], axis=1)
+    first, second, _ = label_places(side_by_side)
+    assert abs(first - second) >= 12
 
 
 BOX = np.array([[0.0, 0.0], [300.0, 200.0]])

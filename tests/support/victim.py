@@ -1,6 +1,7 @@
 """An editor that edits, saves and exports without end, to be killed at any moment.
 
-It prints a line ``set JSON`` for every document right after it was set and had its turn of the event loop.
+It prints a line ``set JSON`` for every document right before it is set, and ``kept`` whenever the last one is known to
+be on the disk.
 """
 
 import random
@@ -13,8 +14,9 @@ from PySide6.QtWidgets import QApplication
 from qovr_app.appearance import make_application
 from qovr_app.desk import ExportDialog
 from qovr_app.main import create_window
+from qovr_core.edits import Direction, KnotPlace, linked_places, set_values
 from qovr_core.files.qovr_document import document_to_json
-from support.editor import Editor
+from support.editor import Editor, name_of
 
 
 def main():
@@ -24,10 +26,17 @@ def main():
     editor = Editor(create_window(str(folder / "kept.qovr")), (900, 600))
     print("ready", flush=True)
     while True:
+        place = KnotPlace(Direction.ROWS, random.randrange(5), random.choice("rsut"))
         value = f"{random.uniform(0.1, 0.9):.6f}"
-        editor.type_into(f"row_knots.C_{random.randrange(5)}.{random.choice('rsut')}", value)
-        QTest.qWait(1)
-        print("set", document_to_json(editor.document).replace("\n", " "), flush=True)
+        linked = linked_places(place, curves=True, directions=False)
+        following = set_values(editor.document, dict.fromkeys(linked, float(value)))
+        print("set", document_to_json(following).replace("\n", " "), flush=True)
+        editor.type_into(name_of(place), value)
+        assert editor.document == following
+        if random.random() < 0.5:
+            QTest.qWait(1)
+            editor.window._keeper._writer.submit(lambda: None).result()
+            print("kept", flush=True)
         if random.random() < 0.3:
             editor.window.desk._save_to(folder / "kept.qovr")
         if random.random() < 0.3:

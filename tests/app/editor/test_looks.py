@@ -39,6 +39,30 @@ def test_an_open_window_follows_light_and_dark(editor, themes):
         assert due in (look().accent, look().accent.darker(125))
 
 
+def ink_of(widget, left, right):
+    """Return how light the strongest writing between two parts of a widget's width is, 0 to 255."""
+    image = widget.grab().toImage()
+    ground = QColor(image.pixel(image.width() // 2, 1)).lightness()
+    columns = range(int(left * image.width()), int(right * image.width()))
+    lights = [QColor(image.pixel(x, y)).lightness() for x in columns for y in range(image.height())]
+    return max(lights, key=lambda light: abs(light - ground))
+
+
+def test_tables_of_numbers_follow_light_and_dark_and_dim_when_stale(editor, themes):
+    for table in map(editor.find, ("surface.boxes", "surface.matrix")):
+        for name in (ThemeName.DARK, ThemeName.LIGHT):
+            set_theme(name)
+            editor.settle()
+            headers, numbers = ink_of(table, 0.0, 0.1), ink_of(table, 0.2, 1.0)
+            ink = look().ink.lightness()
+            assert abs(numbers - ink) < 30, name
+            assert abs(headers - ink) < 30, name  # the corner's; those of the rows are quieter
+    editor.trigger("live")
+    editor.type_into("row_knots.C_4.r", "0.3")
+    editor.click("row_knots.set")
+    assert abs(ink_of(editor.find("surface.matrix"), 0.2, 1.0) - look().quiet.lightness()) < 30
+
+
 def test_states_look_like_what_they_are(editor):
     editor.trigger("live")
     editor.type_into("column_knots.K_1.s", "0.95")

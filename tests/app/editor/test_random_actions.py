@@ -20,6 +20,7 @@ COMMANDS = [
     *("layer_raw", "layer_transformed", "style_smooth", "style_facets", "scaling_equal", "scaling_each"),
     *("preset_fig5", "preset_fig6c", "preset_fig8", "camera_top", "camera_paper", "fit"),
     *("go_row_knots", "go_view", "go_surface"),
+    *("laboratory_curve", "laboratory_influence") * 2,
 ]
 BUTTONS = [f"{zone}.{verb}" for zone in ("row_knots", "column_knots", "control_points") for verb in ("get", "set")]
 KEYS = [Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_Escape, Qt.Key.Key_Tab, Qt.Key.Key_Return]

@@ -59,6 +59,12 @@ def test_ticks_tell_neighbours_apart(positions, texts):
     assert tick_texts(tick_positions(*positions)) == texts
 
 
+def test_ticks_closer_together_than_numbers_are_have_texts():
+    positions = tick_positions(1e16, 1e16 + 4, 4)
+    assert (np.diff(positions) == 0).any()
+    assert len(tick_texts(positions)) == positions.size
+
+
 def test_the_papers_raw_figure_has_one_frame_for_net_and_surface():
     frame = scene_of(preset("fig5").document, Layer.RAW).frame
     np.testing.assert_allclose(frame.limits, [[0, 30], [0, 60], [0.4, 1.2]])

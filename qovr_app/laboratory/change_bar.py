@@ -1,0 +1,175 @@
+"""The row of controls that says what is moved, by how much, and on which surface."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSignalBlocker, Signal
+from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+
+from qovr_app.laboratory.panel import Focus
+from qovr_app.laboratory.wording import value_text
+from qovr_app.panels.field import NumberField
+from qovr_app.panels.look import SPACE
+from qovr_app.panels.parts import CompactButton, symbol
+from qovr_app.panels.symbols import AXES, CURVE_LETTERS, knot_letter, label, symbol_html
+from qovr_core import Document, DocumentError, Formulation, Layer
+from qovr_core.checks import checked_number
+from qovr_core.edits import KnotPlace, value_at
+from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount, net_size
+from qovr_core.pipeline import default_layer
+
+_STEP = 0.01
+_COPY_TIP = "Copy all numbers and the envelope, tab separated"
+_FIELD_WIDTH = 76
+_FIRST_AXIS = 2
+"""The heights are what the paper moves."""
+
+
+class ChangeBar(QWidget):
+    """Controls of the change whose influence is shown.
+
+    The amount is the default one until another is typed; what is typed holds for all points, or all knots, that come
+    into focus later.
+
+    Signals
+    -------
+    change_edited : axis, amount or surface is another one
+    copy_requested : the button
+    refused : why what is typed is no amount; empty when that is outdated
+    """
+
+    change_edited = Signal()
+    copy_requested = Signal()
+    refused = Signal(str)
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document: Document | None = None
+        self._formulation: Formulation | None = None
+        self._focus: Focus = None
+        self._typed: dict[bool, float] = {}
+        """Amounts by whether they are a knot's."""
+        self._title = symbol("", parent=self)
+        self._title.setObjectName(f"{name}.title")
+        self._axis = QComboBox(self, objectName=f"{name}.axis", accessibleName="Axis along which the point moves")
+        self._axis.addItems(AXES)
+        self._axis.setCurrentIndex(_FIRST_AXIS)
+        self._axis.setToolTip("Axis along which the point moves")
+        self._by = QLabel("by", self)
+        self._amount = NumberField("the amount", self._check, _STEP, self)
+        self._amount.setObjectName(f"{name}.amount")
+        self._amount.setAccessibleName("Amount of the change")
+        self._amount.setFixedWidth(_FIELD_WIDTH)
+        self._default = CompactButton("Default", f"{name}.default", "", self)
+        self._layer = QComboBox(self, objectName=f"{name}.layer", accessibleName="Surface on which it is measured")
+        for layer in Layer:
+            self._layer.addItem(layer.value, layer)
+        self._layer.setToolTip("raw: the surface itself. transformed: T is computed again after the change.")
+        self._copy = CompactButton(
+            "Copy Numbers", f"{name}.copy", "Copy all numbers and the envelope, tab separated", self
+        )
+        self._connect()
+        self._arrange()
+
+    @property
+    def change(self) -> Change:
+        """The change of what is in focus; something is."""
+        amount = self._wanted_amount()
+        if isinstance(self._focus, KnotPlace):
+            return KnotMove(self._focus, amount)
+        vector = [0.0, 0.0, 0.0]
+        vector[self._axis.currentIndex()] = amount
+        return PointMove(*self._focus, tuple(vector))
+
+    @property
+    def layer(self) -> Layer:
+        """The surface on which it is measured."""
+        return Layer(self._layer.currentText())
+
+    @property
+    def what(self) -> str:
+        """The change in one line of plain text."""
+        amount = value_text(self._wanted_amount())
+        if isinstance(self._focus, KnotPlace):
+            return f"{label(self._focus)} by {amount}"
+        return "P {},{} along {} by {}".format(*self._focus, self._axis.currentText(), amount)
+
+    def show_focus(self, document: Document, focus: Focus) -> None:
+        """Show the controls for a knot, a point, or nothing, of a document."""
+        self._document, self._focus = document, focus
+        if document.formulation is not self._formulation:
+            self._formulation = document.formulation
+            with QSignalBlocker(self._layer):
+                self._layer.setCurrentText(default_layer(document))
+        is_knot = isinstance(focus, KnotPlace)
+        for control in (self._by, self._amount, self._default):
+            control.setVisible(focus is not None)
+        self._axis.setVisible(focus is not None and not is_knot)
+        self._title.setText(_title(focus))
+        if focus is None:
+            return
+        self._amount.show_value(self._wanted_amount())
+        self._default.setEnabled(is_knot in self._typed)
+        default = f"{DEFAULT_PART:g}, or as much downward" if is_knot else "a tenth of the net's size, rounded"
+        self._default.setToolTip(f"Back to {default}")
+        unit = "how much the knot changes" if is_knot else "how far the point moves, in the document's unit"
+        self._amount.set_tip(f"By {unit}; the default is {default}. The document is not changed.")
+
+    def set_copyable(self, is_copyable: bool) -> None:
+        """Say whether there are numbers to copy."""
+        self._copy.setEnabled(is_copyable)
+
+    def _wanted_amount(self) -> float:
+        is_knot = isinstance(self._focus, KnotPlace)
+        if is_knot in self._typed:
+            return self._typed[is_knot]
+        if is_knot:
+            return default_amount(self._document, self._focus)
+        return float(f"{DEFAULT_PART * net_size(self._document):.2g}") or DEFAULT_PART
+
+    def _check(self, value: object, name: str) -> float:
+        amount = checked_number(value, name)
+        if amount == 0:
+            raise DocumentError(name, "0", "a number that moves something")
+        if isinstance(self._focus, KnotPlace):
+            knot = value_at(self._document, self._focus)
+            if not 0 < knot + amount < 1:
+                expected = f"more than {-knot:.6g} and less than {1 - knot:.6g}, so that the knot stays between 0 and 1"
+                raise DocumentError(name, f"{amount:g}", expected)
+        return amount
+
+    def _on_amount_edited(self, amount: float, _gesture: int) -> None:
+        self._typed[isinstance(self._focus, KnotPlace)] = amount
+        self.change_edited.emit()
+
+    def _on_default(self) -> None:
+        self._typed.pop(isinstance(self._focus, KnotPlace), None)
+        self._amount.revert()
+        self.change_edited.emit()
+
+    def _connect(self) -> None:
+        self._axis.currentIndexChanged.connect(lambda _index: self.change_edited.emit())
+        self._layer.currentIndexChanged.connect(lambda _index: self.change_edited.emit())
+        self._amount.value_edited.connect(self._on_amount_edited)
+        self._amount.refused.connect(lambda reason: self.refused.emit(reason and f"{reason}."))
+        self._default.clicked.connect(self._on_default)
+        self._copy.clicked.connect(self.copy_requested)
+
+    def _arrange(self) -> None:
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, 0)
+        layout.setSpacing(SPACE)
+        for control in (self._title, self._axis, self._by, self._amount, self._default):
+            layout.addWidget(control)
+        layout.addStretch(1)
+        layout.addWidget(QLabel("on", self))
+        layout.addWidget(self._layer)
+        layout.addWidget(self._copy)
+
+
+def _title(focus: Focus) -> str:
+    if focus is None:
+        return ""
+    if isinstance(focus, KnotPlace):
+        knot = symbol_html(knot_letter(focus), "ip")
+        return f"{knot} of {symbol_html(CURVE_LETTERS[focus.direction], str(focus.curve))} alone changes"
+    return "{} moves along".format(symbol_html("P", "{},{}".format(*focus)))

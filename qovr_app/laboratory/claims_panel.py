@@ -1,0 +1,219 @@
+"""The paper's claims and the verdicts on them, current for the document, found while nothing else is to do."""
+
+from __future__ import annotations
+
+import html
+import re
+from collections.abc import Iterator
+from dataclasses import replace
+
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QHideEvent, QShowEvent
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
+
+from qovr_app.laboratory.claims_table import FORMULATIONS, MARKS, ClaimsTable, number
+from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.panels.look import SPACE
+from qovr_app.panels.parts import CompactButton
+from qovr_app.panels.splitter import LineSplitter
+from qovr_app.panels.symbols import symbol_html
+from qovr_app.view3d.theme import Theme
+from qovr_core import AlignedPatch, Document, QovrError
+from qovr_core.laboratory.claims import Finding
+from qovr_core.laboratory.trials import SAMPLES
+from qovr_core.laboratory.verify import CLAIMS, verify_steps
+
+QUIET_MILLISECONDS = 300
+"""After the last change it is so long quiet before the verdicts are looked for again."""
+
+_ALL = len(CLAIMS) * len(FORMULATIONS)
+_FIRST_WIDTHS = (450, 200)
+
+
+class ClaimsPanel(LaboratoryPanel):
+    """A table of verdicts, what is behind the current one, and the documents that show it.
+
+    The verdicts are computed in pieces of a few milliseconds, one whenever the event loop has nothing else to do. A
+    change of the document stops that at once; until there are new verdicts the old ones are shown as old.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document: Document | None = None
+        self._steps: Iterator[Finding | None] | None = None
+        self._found = 0
+        self._row: list[Finding] = []
+        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MILLISECONDS)
+        self._quiet.timeout.connect(self._begin)
+        self._idle = QTimer(self, interval=0)
+        self._idle.timeout.connect(self._on_idle)
+        self._table = ClaimsTable(self)
+        self._table.finding_changed.connect(self._show_finding)
+        self._table.opening_requested.connect(self._open_first)
+        self._details = QTextBrowser(
+            self, objectName="laboratory.claims.details", accessibleName="What is behind the verdict"
+        )
+        self._details.setFrameShape(QTextBrowser.Shape.NoFrame)
+        self._details.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._counterexample = self._button("counterexample", "Open a document on which the claim fails")
+        self._example = self._button("example", "Open a document that shows what was found")
+        self._state = QLabel(self, objectName="laboratory.claims.state")
+        self._progress = QProgressBar(self, objectName="laboratory.claims.progress", accessibleName="Verdicts found")
+        self._progress.setRange(0, _ALL)
+        self._progress.setTextVisible(False)
+        self._progress.setFixedHeight(SPACE)
+        policy = self._progress.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._progress.setSizePolicy(policy)
+        self._arrange()
+
+    @property
+    def is_current(self) -> bool:
+        """Whether every verdict shown is the document's."""
+        return self._found == _ALL
+
+    def show_result(self, result: AlignedPatch) -> None:
+        """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
+        self._table.show_formulation(result.document.formulation)
+        document = replace(result.document, formulation=FORMULATIONS[0], samples=SAMPLES)
+        if document == self._document:
+            return
+        self._stop()
+        self._document, self._found = document, 0
+        self._table.set_old()
+        self._show_state("The document has changed: verdicts in grey are of the one before.")
+        self._quiet.start()
+
+    def show_theme(self, _theme: Theme) -> None:
+        self._table.viewport().update()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        self._stop()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self._document is not None and not self.is_current:
+            self._quiet.start()
+
+    # Looking for verdicts
+
+    def _stop(self) -> None:
+        self._quiet.stop()
+        self._idle.stop()
+        self._steps = None
+
+    def _begin(self) -> None:
+        self._found, self._row = 0, []
+        self._steps = verify_steps(self._document)
+        self._idle.start()
+
+    def _on_idle(self) -> None:
+        """Do one small piece."""
+        try:
+            finding = next(self._steps, None)
+        except QovrError as error:
+            self._stop()
+            self._show_state(f"No verdicts: {error}.")
+            return
+        if finding is None:
+            return
+        self._found += 1
+        self._row.append(finding)
+        if len(self._row) == len(FORMULATIONS):  # whole rows: each repaint makes the window put itself together anew
+            self._show_row()
+
+    def _show_row(self) -> None:
+        for finding in self._row:
+            self._table.show_finding(finding)
+        self._row = []
+        self._show_state(f"Deciding: {self._found} of {_ALL}")
+        if self.is_current:
+            self._stop()
+            self._show_state("Current for this document")
+
+    def _show_state(self, text: str) -> None:
+        self._state.setText(text)
+        self._state.setToolTip(text)
+        self._progress.setValue(self._found)
+        self._progress.setVisible(not self.is_current)
+
+    # What is behind a verdict
+
+    def _show_finding(self, finding: Finding | None) -> None:
+        self._details.setHtml("" if finding is None else _details_html(finding))
+        self._counterexample.setVisible(finding is not None and finding.counterexample is not None)
+        self._example.setVisible(finding is not None and finding.example is not None)
+
+    def _open_first(self) -> None:
+        """Open what the current verdict offers: a counterexample before an example."""
+        for button in (self._counterexample, self._example):
+            if not button.isHidden():
+                button.click()
+                return
+        self.told.emit("There is no counterexample: the claim holds on everything that was tried.", False)
+
+    def _open(self, kind: str) -> None:
+        finding = self._table.current_finding()
+        title = f"{kind.capitalize()} to {finding.claim.id}, {finding.formulation}"
+        self.document_requested.emit(getattr(finding, kind), title)
+
+    def _button(self, kind: str, tip: str) -> CompactButton:
+        button = CompactButton(f"Open {kind}", f"laboratory.claims.{kind}", tip, self)
+        button.clicked.connect(lambda _checked: self._open(kind))
+        button.setVisible(False)
+        return button
+
+    def _arrange(self) -> None:
+        buttons = QHBoxLayout()
+        buttons.setContentsMargins(2 * SPACE, 0, 2 * SPACE, SPACE)
+        buttons.addWidget(self._counterexample)
+        buttons.addWidget(self._example)
+        buttons.addStretch(1)
+        behind = QWidget(self)
+        right = QVBoxLayout(behind)
+        right.setContentsMargins(0, 0, 0, 0)
+        right.setSpacing(SPACE)
+        right.addWidget(self._details, 1)
+        right.addLayout(buttons)
+        splitter = LineSplitter("laboratory.claims.splitter", Qt.Orientation.Horizontal, self)
+        splitter.setChildrenCollapsible(False)
+        splitter.addWidget(self._table)
+        splitter.addWidget(behind)
+        splitter.setSizes(_FIRST_WIDTHS)
+        splitter.setStretchFactor(0, 3)
+        splitter.setStretchFactor(1, 2)
+        self._state.setContentsMargins(2 * SPACE, 0, 2 * SPACE, 0)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(0, 0, 0, SPACE)
+        layout.setSpacing(SPACE)
+        layout.addWidget(splitter, 1)
+        layout.addWidget(self._progress)
+        layout.addWidget(self._state)
+
+
+_SYMBOL = re.compile(r"\b([A-Za-z])_(ip|\d(?:,\d)?)\b")
+
+
+def _details_html(finding: Finding) -> str:
+    """Return everything known of a verdict as rich text."""
+    claim, here = finding.claim, finding.here
+    condition = f" {_rich(finding.condition)}" if finding.condition else ""
+    failing = "" if finding.counterexample is None else "another document, drawn or made for the trial"
+    if failing and not here.holds:
+        failing = "this document itself"
+    measured = here.what[0].upper() + here.what[1:]
+    paragraphs = [
+        f"<b>{_rich(claim.id)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
+        f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
+        f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
+        f"{_rich(measured)}: <b>{number(here.value)}</b> here, {number(finding.largest)} at most in all trials.",
+        f"Found: {_rich(here.note)}." if here.note else "",
+        f"Counterexample: {failing}." if failing else "",
+    ]
+    return "".join(f"<p>{text}</p>" for text in paragraphs if text)
+
+
+def _rich(text: str) -> str:
+    symbols = _SYMBOL.sub(lambda found: symbol_html(found[1], found[2]), html.escape(text))
+    return symbols.replace("^-1", "<sup>−1</sup>")

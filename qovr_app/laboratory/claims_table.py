@@ -1,0 +1,186 @@
+"""The table of claims: one row each, one column for every formulation, two lines a cell."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QModelIndex, QRect, QSize, Qt, Signal
+from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter
+from PySide6.QtWidgets import (
+    QAbstractItemView,
+    QHeaderView,
+    QStyle,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from qovr_app.panels.look import SPACE, look, number_font
+from qovr_core import Formulation
+from qovr_core.laboratory.claims import Claim, Finding, Verdict
+from qovr_core.laboratory.verify import CLAIMS
+
+MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
+"""Read without colour: a tick, a half, a cross."""
+
+FORMULATIONS = tuple(Formulation)
+_FIRST, _SECOND, _IS_OLD, _FINDING = (Qt.ItemDataRole.UserRole + k for k in range(4))
+_LINES = 2
+_SMALLER = 0.88
+_COLUMN_WIDTH = 112
+_OLD_OPACITY = 0.4
+_LARGEST_WHOLE = 1e5
+
+
+class ClaimsTable(QTableWidget):
+    """Shows findings as they come.
+
+    Signals
+    -------
+    finding_changed : the Finding of the current cell, None where there is none yet
+    opening_requested : Enter or a double click on a cell
+    """
+
+    finding_changed = Signal(object)
+    opening_requested = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(len(CLAIMS), 1 + len(FORMULATIONS), parent)
+        self.setObjectName("laboratory.claims.table")
+        self.setAccessibleName("The paper's claims and the verdict for every formulation")
+        self._of_document = FORMULATIONS[0]
+        self.setItemDelegate(_TwoLines(self))
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setTabKeyNavigation(False)
+        self.setShowGrid(False)
+        self.setFrameShape(QTableWidget.Shape.NoFrame)
+        self.setWordWrap(False)
+        self._arrange_headers()
+        for row, claim in enumerate(CLAIMS):
+            self._fill_row(row, claim)
+        self.setCurrentCell(0, 1)
+        self.currentItemChanged.connect(lambda _now, _before: self.finding_changed.emit(self.current_finding()))
+        self.itemDoubleClicked.connect(lambda _item: self.opening_requested.emit())
+
+    def show_formulation(self, formulation: Formulation) -> None:
+        """Set the document's own formulation apart."""
+        self._of_document = formulation
+        for column, name in enumerate(FORMULATIONS, start=1):
+            font = QFont(self.font())
+            font.setBold(name is formulation)
+            self.horizontalHeaderItem(column).setFont(font)
+            is_own = " (the document's)" if name is formulation else ""
+            self.horizontalHeaderItem(column).setToolTip(f"Formulation {name}{is_own}")
+
+    def show_finding(self, finding: Finding) -> None:
+        """Show a finding in its cell."""
+        item = self.item(CLAIMS.index(finding.claim), 1 + FORMULATIONS.index(finding.formulation))
+        here = "holds" if finding.here.holds else "fails"
+        item.setData(_FIRST, f"{MARKS[finding.verdict]} {finding.verdict}")
+        item.setData(_SECOND, f"here {here} {number(finding.here.value)}")
+        item.setData(_IS_OLD, False)
+        item.setData(_FINDING, finding)
+        spoken = f"{finding.claim.id}, {finding.formulation}: {finding.verdict}"
+        spoken += f" {finding.condition}" if finding.condition else ""
+        item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{spoken}; on this document it {here}")
+        if finding is self.current_finding():
+            self.finding_changed.emit(finding)
+
+    def set_old(self) -> None:
+        """Mark everything shown as found for the document before."""
+        for row in range(len(CLAIMS)):
+            for column in range(1, self.columnCount()):
+                item = self.item(row, column)
+                item.setData(_IS_OLD, item.data(_FINDING) is not None)
+
+    def current_finding(self) -> Finding | None:
+        """Return the finding of the current cell; a claim's own cell stands for the document's formulation."""
+        column = self.currentColumn() or 1 + FORMULATIONS.index(self._of_document)
+        item = self.item(self.currentRow(), column)
+        return item.data(_FINDING) if item is not None else None
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
+            self.opening_requested.emit()
+            return
+        super().keyPressEvent(event)
+
+    def _arrange_headers(self) -> None:
+        self.setHorizontalHeaderLabels(["claim", *map(str, FORMULATIONS)])
+        across, down = self.horizontalHeader(), self.verticalHeader()
+        across.setStyleSheet(f"QHeaderView::section {{ border: none; padding: {SPACE}px {2 * SPACE}px; }}")
+        across.setHighlightSections(False)
+        across.setSectionsClickable(False)
+        across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        for column in range(1, self.columnCount()):
+            across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
+            across.resizeSection(column, _COLUMN_WIDTH)
+        down.setVisible(False)
+        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        down.setDefaultSectionSize(self.itemDelegate().sizeHint(QStyleOptionViewItem(), QModelIndex()).height())
+
+    def _fill_row(self, row: int, claim: Claim) -> None:
+        name = QTableWidgetItem()
+        name.setData(_FIRST, claim.id)
+        name.setData(_SECOND, claim.text)
+        name.setData(Qt.ItemDataRole.AccessibleTextRole, f"{claim.id}: {claim.text}, {claim.where}")
+        name.setToolTip(f"{claim.text}\n{claim.where}")
+        self.setItem(row, 0, name)
+        for column in range(1, self.columnCount()):
+            self.setItem(row, column, QTableWidgetItem())
+
+
+def number(value: float) -> str:
+    """Return a measured number as the panel writes it: whole from 100 on, else two digits, one before an exponent."""
+    text = f"{value:.0f}" if 100 <= value < _LARGEST_WHOLE else f"{value:.2g}"
+    if "e" in text:
+        mantissa, exponent = f"{value:.0e}".split("e")
+        text = f"{mantissa}e{int(exponent)}"
+    return text.replace("-", "−")
+
+
+class _TwoLines(QStyledItemDelegate):
+    """Paints a verdict over the number below it, and a claim over its text."""
+
+    def __init__(self, table: QTableWidget) -> None:
+        super().__init__(table)
+        self._strong = QFont(table.font())
+        self._strong.setBold(True)
+        self._small = number_font(table.font())
+        self._small.setPointSizeF(_SMALLER * table.font().pointSizeF())
+
+    def sizeHint(self, _option: QStyleOptionViewItem, _index: QModelIndex) -> QSize:
+        return QSize(_COLUMN_WIDTH, _LINES * self.parent().fontMetrics().height() + 2 * SPACE)
+
+    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+        painter.save()
+        if option.state & QStyle.StateFlag.State_Selected:
+            painter.fillRect(option.rect, look().accent_cell)
+            if option.widget.hasFocus():
+                painter.setPen(look().accent)
+                painter.drawRect(option.rect.adjusted(0, 0, -1, -1))
+        area = option.rect.adjusted(2 * SPACE, SPACE, -SPACE, -SPACE)
+        half = area.height() // _LINES
+        if index.data(_IS_OLD):
+            painter.setOpacity(_OLD_OPACITY)
+        finding = index.data(_FINDING)
+        ink = look().ink if finding is None else _ink(finding.verdict)
+        self._write(painter, QRect(area.topLeft(), QSize(area.width(), half)), self._strong, ink, index.data(_FIRST))
+        below = QRect(area.left(), area.top() + half, area.width(), area.height() - half)
+        self._write(painter, below, self._small, look().quiet, index.data(_SECOND))
+        painter.restore()
+
+    @staticmethod
+    def _write(painter: QPainter, area: QRect, font: QFont, ink: QColor, text: str | None) -> None:
+        painter.setFont(font)
+        painter.setPen(ink)
+        elided = painter.fontMetrics().elidedText(text or "", Qt.TextElideMode.ElideRight, area.width())
+        painter.drawText(area, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, elided)
+
+
+def _ink(verdict: Verdict) -> QColor:
+    return {Verdict.TRUE: look().ink, Verdict.TRUE_IF: look().warn, Verdict.FALSE: look().bad}[verdict]

@@ -1,0 +1,109 @@
+"""Displacement against distance: every sample, the envelope, and the nearest exponential."""
+
+from __future__ import annotations
+
+import numpy as np
+import pyqtgraph as pg
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.laboratory.influence_numbers import DISTANCE
+from qovr_app.laboratory.plots import Plot, coloured, pen
+from qovr_app.view3d.theme import Rgb, Theme
+from qovr_core.arrays import Array
+from qovr_core.laboratory.influence import Influence
+
+_EVERY = 4
+"""Each fourth sample along u and v is a dot: as many as can be told apart in a plot of this size."""
+
+_FLOOR = 1e-5
+"""The logarithmic scale ends at this part of the largest displacement: below it is nothing to see."""
+
+_HEADROOM = 1.06
+_LOGARITHMIC_HEADROOM = 2.0
+_CURVE_POINTS = 121
+_DOT_PIXELS = 2.5
+_DOT_OPACITY = 110
+_LINE_PIXELS = 2.0
+_DASHES = [4.0, 3.0]
+_TOP_MARGIN = 5
+"""Room for the upper half of a number at the end of the axis."""
+
+
+class FalloffPlot(Plot):
+    """Shows how an influence falls off with the distance from the place of the largest displacement."""
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(name, "Displacement against distance", parent)
+        self.setMouseEnabled(x=False, y=False)
+        self.setToolTip(f"Displacement of the surface against the distance d. {DISTANCE}")
+        self.setLabel("bottom", "<i>d</i> in <i>u</i>, <i>v</i>")
+        self.getAxis("left").setStyle(autoExpandTextSpace=True)
+        self.getPlotItem().layout.setContentsMargins(0, _TOP_MARGIN, 0, 0)
+        self._influence: Influence | None = None
+        self._is_logarithmic = False
+        self._samples = self.plot(pen=None, symbol="o", symbolSize=_DOT_PIXELS, symbolPen=None)
+        self.exponential = self.plot()
+        self.envelope = self.plot()
+        self._reading = pg.InfiniteLine(angle=90)
+        self._reading.setVisible(False)
+        self.addItem(self._reading, ignoreBounds=True)
+
+    @property
+    def legend(self) -> tuple[str, str]:
+        """Envelope and exponential with their lines, as rich text."""
+        exponential = "<i>A</i> e<sup>−<i>d</i>/<i>L</i></sup>"
+        return (
+            f"{coloured('━', self.colours.accent)} envelope",
+            f"{coloured('╍', self._exponential_colour)} {exponential}",
+        )
+
+    @property
+    def _exponential_colour(self) -> Rgb:
+        return self.colours.series[1]
+
+    def show_theme(self, theme: Theme) -> None:
+        super().show_theme(theme)
+        self._samples.setSymbolBrush(QColor(*theme.quiet_ink, _DOT_OPACITY))
+        self.envelope.setPen(pen(theme.accent, _LINE_PIXELS))
+        dashed = pen(self._exponential_colour, _LINE_PIXELS)
+        dashed.setDashPattern(_DASHES)
+        self.exponential.setPen(dashed)
+        self._reading.setPen(pen(theme.ink))
+
+    def show_logarithmic(self, is_logarithmic: bool) -> None:
+        """Choose the scale of the displacement."""
+        self._is_logarithmic = is_logarithmic
+        self.setLogMode(x=False, y=is_logarithmic)
+        if self._influence is not None:
+            self.show_influence(self._influence)
+
+    def show_influence(self, influence: Influence) -> None:
+        """Show an influence in which something moves."""
+        self._influence = influence
+        fall = influence.falloff
+        farthest = float(fall.envelope[-1, 0])
+        distances = np.linspace(0.0, farthest, _CURVE_POINTS)
+        thinned = (slice(None, None, _EVERY),) * 2
+        self._put(self._samples, fall.distance[thinned].ravel(), influence.magnitude[thinned].ravel())
+        self._put(self.envelope, *fall.envelope.T)
+        self._put(self.exponential, distances, fall.exponential.at(distances))
+        top = max(influence.largest, fall.exponential.amplitude)
+        self.view_box.setXRange(0.0, farthest)
+        if self._is_logarithmic:
+            self.view_box.setYRange(*np.log10([_FLOOR * top, _LOGARITHMIC_HEADROOM * top]).tolist(), padding=0)
+        else:
+            self.view_box.setYRange(0.0, _HEADROOM * top, padding=0)
+
+    def show_reading(self, distance: float | None) -> None:
+        """Mark a distance; None takes the mark away."""
+        self._reading.setVisible(distance is not None)
+        if distance is not None:
+            self._reading.setValue(distance)
+
+    def _put(self, item: pg.PlotDataItem, distance: Array, displacement: Array) -> None:
+        """Show a series; what is nothing has no place on a logarithmic scale."""
+        if self._is_logarithmic:
+            kept = displacement > _FLOOR * self._influence.largest
+            distance, displacement = distance[kept], displacement[kept]
+        item.setData(distance, displacement)

@@ -1,0 +1,172 @@
+"""What the control point or knot in focus moves: a map, a plot against the distance, and the numbers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from PySide6.QtCore import Qt, QTimer
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
+
+from qovr_app.laboratory.change_bar import ChangeBar
+from qovr_app.laboratory.falloff_plot import FalloffPlot
+from qovr_app.laboratory.heat_map import HeatMap
+from qovr_app.laboratory.influence_numbers import FactTable, copied_text, facts
+from qovr_app.laboratory.panel import Focus, LaboratoryPanel
+from qovr_app.laboratory.wording import percent_text, value_text
+from qovr_app.panels.look import SPACE
+from qovr_app.view3d.theme import Theme
+from qovr_core import AlignedPatch, Document, QovrError
+from qovr_core.edits import Direction, KnotPlace
+from qovr_core.formulations import active_rows
+from qovr_core.laboratory.influence import Influence, KnotMove, influence
+
+_NAME = "laboratory.influence"
+_WHY_IDLE = (
+    "This knot moves nothing: the published surface uses the row-wise knots of C_4 alone. "
+    "Choose another formulation to see what it does there."
+)
+_TABLE_WIDTH = 196
+_WHAT_TO_DO = (
+    "Select a control point in the view, or click into the field of a point or a knot: "
+    "what it moves, how far, and what the edges do is shown here."
+)
+
+
+class InfluencePanel(LaboratoryPanel):
+    """Follows the point or knot in focus, and every edit."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document: Document | None = None
+        self._focus: Focus = None
+        self._influence: Influence | None = None
+        self._bar = ChangeBar(_NAME, self)
+        self._bar.change_edited.connect(self._request)
+        self._bar.copy_requested.connect(self._copy)
+        self._bar.refused.connect(lambda reason: self.told.emit(reason, True))
+        self._words = QLabel(self, objectName=f"{_NAME}.words", wordWrap=True)
+        self._words.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._words.setMargin(4 * SPACE)
+        self._map = HeatMap(f"{_NAME}.map", self)
+        self._plot = FalloffPlot(f"{_NAME}.plot", self)
+        self._table = FactTable(f"{_NAME}.numbers", "Influence in numbers", self)
+        self._map_caption, self._plot_caption = (
+            QLabel(self, objectName=f"{_NAME}.{name}") for name in ("map_caption", "plot_caption")
+        )
+        self._log = QCheckBox("log", self, objectName=f"{_NAME}.log", accessibleName="Logarithmic scale")
+        self._log.setToolTip("Show the displacement on a logarithmic scale, on which an exponential is a straight line")
+        self._log.toggled.connect(self._plot.show_logarithmic)
+        self._map.hovered.connect(self._on_map_hovered)
+        self._plot.hovered.connect(self._on_plot_hovered)
+        self._due = QTimer(self, singleShot=True, interval=0)
+        self._due.timeout.connect(self._show)
+        self._arrange()
+
+    def show_result(self, result: AlignedPatch) -> None:
+        """Show the influence on the surface of a result."""
+        self._document = result.document
+        self._request()
+
+    def show_focus(self, focus: Focus) -> None:
+        """Show the influence of another knot or point."""
+        self._focus = focus
+        self._request()
+
+    def show_theme(self, theme: Theme) -> None:
+        """Draw in other colours."""
+        self._map.show_theme(theme)
+        self._plot.show_theme(theme)
+        self._request()
+
+    def _request(self) -> None:
+        self._due.start()
+
+    def _show(self) -> None:
+        if self._document is None:
+            return
+        self._bar.show_focus(self._document, self._focus)
+        self._influence, words = None, _WHAT_TO_DO
+        if self._focus is not None:
+            try:
+                found = influence(self._document, self._bar.change, self._bar.layer)
+            except QovrError as error:
+                words = f"{error}. Another amount may do, or the default."
+            else:
+                self._influence = found if found.largest else None
+                words = _why_nothing_moves(self._document, found)
+        self._bar.set_copyable(self._influence is not None)
+        self._stack.setCurrentWidget(self._words if self._influence is None else self._content)
+        self._words.setText(words)
+        if self._influence is not None:
+            self._map.show_influence(self._influence)
+            self._plot.show_influence(self._influence)
+            self._table.show_facts(facts(self._influence))
+            self._on_map_hovered(None)
+            self._on_plot_hovered(None)
+
+    def _copy(self) -> None:
+        QGuiApplication.clipboard().setText(copied_text(self._bar.what, self._document, self._influence))
+        self.told.emit(f"Copied the influence of {self._bar.what}", False)
+
+    def _on_map_hovered(self, place: tuple[float, float] | None) -> None:
+        if place is None or self._influence is None:
+            self._map_caption.setText("|Δ<i>S</i>|, lines at 10 % and 1 %")
+            return
+        u, v = place
+        length = math.hypot(*self._influence.displacement.points([u], [v])[0, 0])
+        part = percent_text(length / self._influence.largest)
+        self._map_caption.setText(f"<i>u</i> {u:.2f} <i>v</i> {v:.2f}: {value_text(length)} = {part}")
+
+    def _on_plot_hovered(self, place: tuple[float, float] | None) -> None:
+        if place is None or self._influence is None or not 0 <= place[0] <= self._influence.falloff.envelope[-1, 0]:
+            self._plot.show_reading(None)
+            self._plot_caption.setText("&nbsp; ".join(self._plot.legend))
+            return
+        envelope = self._influence.falloff.envelope
+        distance, most = envelope[np.abs(envelope[:, 0] - place[0]).argmin()].tolist()
+        self._plot.show_reading(distance)
+        part = percent_text(most / self._influence.largest)
+        self._plot_caption.setText(f"<i>d</i> {distance:.2f}: up to {value_text(most)} = {part}")
+
+    def _arrange(self) -> None:
+        self._content = QWidget(self)
+        parts = QHBoxLayout(self._content)
+        parts.setContentsMargins(0, 0, 0, 0)
+        parts.setSpacing(2 * SPACE)
+        parts.addLayout(_captioned(self._map, self._map_caption), 6)
+        parts.addLayout(_captioned(self._plot, self._plot_caption, self._log), 5)
+        self._table.setFixedWidth(_TABLE_WIDTH)
+        parts.addWidget(self._table)
+        self._stack = QStackedWidget(self)
+        self._stack.addWidget(self._words)
+        self._stack.addWidget(self._content)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
+        layout.setSpacing(SPACE)
+        layout.addWidget(self._bar)
+        layout.addWidget(self._stack, 1)
+
+
+def _captioned(picture: QWidget, *caption: QWidget) -> QVBoxLayout:
+    """Return a picture under a line that begins with its caption."""
+    head = QHBoxLayout()
+    for widget in caption:
+        head.addWidget(widget, widget is caption[0])
+    column = QVBoxLayout()
+    column.setSpacing(SPACE // 2)
+    column.addLayout(head)
+    column.addWidget(picture, 1)
+    return column
+
+
+def _why_nothing_moves(document: Document, found: Influence) -> str:
+    change = found.change
+    if isinstance(change, KnotMove) and _is_idle(document, change.place):
+        return _WHY_IDLE
+    return "Nothing moves."
+
+
+def _is_idle(document: Document, place: KnotPlace) -> bool:
+    return place.direction is Direction.ROWS and place.curve not in active_rows(document.formulation)

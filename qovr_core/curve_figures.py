@@ -1,0 +1,327 @@
+"""The paper's Figure 1, one curve and its parts, drawn by matplotlib with no display."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from qovr_core.arrays import Array
+from qovr_core.laboratory.labels import DISC, label_places, place_labels
+from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+from qovr_core.laboratory.planes import Plane, View, plane_of
+
+SERIES = ("#c9392b", "#be7000", "#148458", "#1c64d8", "#803eb2")
+"""The colours of P_0..P_4; Q_p, w_p and its parameter take that of the point P_{p+1} at their knot."""
+
+_PARTS = SERIES[1:4]
+_INK, _QUIET, _WARN = "#20242a", "#70767f", "#b06800"
+_LETTERS = "rst"
+
+_SIZE_INCHES = (5.0, 3.7)
+_FONT, _SMALL = 9, 8
+_GAP_POINTS = 5.0
+_DENSE = 1001
+"""Points of a line that may run far out of the drawing, so that enough of them are in it."""
+
+_ROOM = 0.16
+"""Kept free around the curve for labels, as a part of its extent."""
+
+_FLATTEST = 0.02
+"""Across a curve that is straight a drawing shows this part of its length, not rounding drawn large."""
+
+_BLENDED = {"linewidth": 5.5, "alpha": 0.3, "solid_capstyle": "butt", "label": "blended segment"}
+_WHOLE = {"linewidth": 1.0, "label": "parabola"}
+_AUXILIARY = {"linewidth": 1.0, "dashes": (4, 2.5), "label": "auxiliary segment"}
+
+_SENSITIVITY = (0.3, 0.4, 0.5, 0.6, 0.7)
+
+
+def draw_parabolas(curve: OneCurve) -> Any:
+    """Return Figure 1a: the three parabolas, each by itself, and the segments of them that are blended."""
+    figure, axes, plane = _drawing(curve)
+    for p in range(3):
+        _draw_part(axes, plane, curve, p, (0.0, 1.0), **_WHOLE)
+        _draw_part(axes, plane, curve, p, curve.blended[p], **_BLENDED)
+    _draw_points(axes, plane, curve)
+    _add_legend(figure, axes)
+    _settle(figure, axes, equal_scales=True)
+    _add_names(axes, plane, curve, [f"$P_{k}$" for k in range(5)])
+    return figure
+
+
+def draw_knots(curve: OneCurve) -> Any:
+    """Return Figure 1b: the blended curve, the places of the internal knots, and the auxiliary segments."""
+    figure, axes, plane = _drawing(curve)
+    _draw_blend(axes, plane, curve)
+    _add_legend(figure, axes)
+    _settle(figure, axes, equal_scales=True)
+    _add_names(axes, plane, curve, _knot_names(curve))
+    return figure
+
+
+def draw_sensitivity(curve: OneCurve) -> Any:
+    """Return Figure 1c: the curve with several values of each of its four knots, the others as they are."""
+    from matplotlib import colormaps
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(6.4, 4.8), layout="constrained")
+    plane = plane_of(curve.points, View.BEST)
+    colours = colormaps["viridis"](np.linspace(0, 0.9, len(_SENSITIVITY)))
+    grid = figure.subplots(2, 2, sharex=True, sharey=True)
+    for axes, name in zip(grid.flat, "rsut", strict=True):
+        for value, colour in zip(_SENSITIVITY, colours, strict=True):
+            changed = replace(curve, knots=replace(curve.knots, **{name: value}))
+            axes.plot(*plane.drawn(changed.at(SAMPLES)).T, color=colour, linewidth=1.4, label=f"{value:g}")
+        _draw_points(axes, plane, curve)
+        axes.set_title(f"${name}_{{ip}}$", fontsize=_FONT + 1)
+        _style(axes, plane, outer_only=True)
+        axes.set_aspect("equal", adjustable="box")
+        axes.margins(_ROOM)
+    handles, labels = grid[0, 0].get_legend_handles_labels()
+    _legend(figure, handles, labels, title="value of the knot", title_fontsize=_SMALL)
+    return figure
+
+
+def draw_curve(curve: OneCurve, view: View, size: tuple[float, float], *, equal_scales: bool) -> Any:
+    """Return one curve with all its parts: the curve in a plane, its weights, and its transformations.
+
+    Parameters
+    ----------
+    view : in which plane
+    size : width and height in inches
+    equal_scales : whether both directions of the plane are drawn at one scale
+    """
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=size, layout="constrained")
+    parts = figure.subplot_mosaic([["curve", "blends"], ["curve", "weights"], ["curve", "places"]], width_ratios=(5, 4))
+    plane = plane_of(curve.points, view)
+    axes = parts["curve"]
+    _draw_blend(axes, plane, curve)
+    _frame(axes, plane, curve)
+    letter, number = curve.name.split("_")
+    axes.set_title(f"${letter}_{number}({curve.parameter})$", fontsize=_FONT + 1)
+    _draw_functions(parts["blends"], curve, curve.blends(SAMPLES), [f"$w_{p}$" for p in range(3)], _PARTS)
+    _draw_functions(parts["weights"], curve, curve.weights(SAMPLES), [f"$b_{k}$" for k in range(5)], SERIES)
+    _draw_transformations(parts["places"], curve)
+    for name in ("blends", "weights"):
+        parts[name].tick_params(labelbottom=False)
+    _add_legend(figure, axes)
+    parts["places"].set_xlabel(f"${curve.parameter}$", fontsize=_SMALL)
+    _settle(figure, axes, equal_scales=equal_scales)
+    _add_names(axes, plane, curve, _knot_names(curve))
+    return figure
+
+
+# The curve in its plane
+
+
+def _drawing(curve: OneCurve) -> tuple[Any, Any, Plane]:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=_SIZE_INCHES, layout="constrained")
+    axes = figure.add_subplot()
+    plane = plane_of(curve.points, View.BEST)
+    _frame(axes, plane, curve)
+    return figure, axes, plane
+
+
+def _frame(axes: Any, plane: Plane, curve: OneCurve) -> None:
+    """Give the drawing its range: what lies between the points, with room for labels."""
+    seen = _seen(plane, curve)
+    low, high = seen.min(axis=0), seen.max(axis=0)
+    extent = np.maximum(high - low, _FLATTEST * max(*(high - low), np.finfo(float).tiny))
+    middle = (low + high) / 2
+    for limit, centre, length in zip((axes.set_xlim, axes.set_ylim), middle, extent * (0.5 + _ROOM), strict=True):
+        limit(centre - length, centre + length)
+    _style(axes, plane)
+
+
+def _settle(figure: Any, axes: Any, *, equal_scales: bool) -> None:
+    """Lay the figure out for good; for equal scales the drawing shows more in one direction, and keeps its size."""
+    for _ in range(2):  # other limits have other numbers, which take other room
+        figure.draw_without_rendering()
+        if equal_scales:
+            _equalise(axes)
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    if equal_scales:
+        _equalise(axes)
+
+
+def _equalise(axes: Any) -> None:
+    limits = np.array([axes.get_xlim(), axes.get_ylim()])
+    lengths, pixels = np.ptp(limits, axis=1), axes.bbox.size
+    wanted = pixels * (lengths / pixels).max()
+    low, high = limits.mean(axis=1) - wanted / 2, limits.mean(axis=1) + wanted / 2
+    axes.set_xlim(low[0], high[0])
+    axes.set_ylim(low[1], high[1])
+
+
+def _style(axes: Any, plane: Plane, *, outer_only: bool = False) -> None:
+    across, up = plane.labels
+    axes.set_xlabel(f"${across}$".replace("−", "-"), fontsize=_SMALL)
+    axes.set_ylabel(f"${up}$".replace("−", "-"), fontsize=_SMALL)
+    axes.tick_params(labelsize=_SMALL, colors=_QUIET, length=3)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+    for side in ("left", "bottom"):
+        axes.spines[side].set_color(_QUIET)
+    if outer_only:
+        axes.label_outer()
+
+
+def _seen(plane: Plane, curve: OneCurve) -> Array:
+    """Return points of the curve and of the whole parabolas, (n, 2)."""
+    return plane.drawn(np.concatenate([curve.at(SAMPLES), *(curve.parabola(p, SAMPLES) for p in range(3))]))
+
+
+def _beyond(plane: Plane, curve: OneCurve) -> Array:
+    """Return points of the auxiliary segments, (n, 2)."""
+    ends = curve.auxiliary
+    return plane.drawn(np.concatenate([curve.parabola(p, np.linspace(*ends[p], _DENSE)) for p in range(3)]))
+
+
+def _draw_part(axes: Any, plane: Plane, curve: OneCurve, p: int, part: tuple[float, float], **style: Any) -> None:
+    x = np.linspace(*part, len(SAMPLES))
+    axes.plot(*plane.drawn(curve.parabola(p, x)).T, color=_PARTS[p], **style)
+
+
+def _draw_points(axes: Any, plane: Plane, curve: OneCurve) -> None:
+    points = plane.drawn(curve.points)
+    axes.plot(*points.T, color=_QUIET, linewidth=0.7, linestyle=":", zorder=1)
+    axes.scatter(*points.T, s=26, c=SERIES, edgecolors="white", linewidths=0.6, zorder=5)
+
+
+def _draw_blend(axes: Any, plane: Plane, curve: OneCurve) -> None:
+    for p in range(3):
+        _draw_part(axes, plane, curve, p, (0.0, 1.0), **_WHOLE)
+        _draw_part(axes, plane, curve, p, curve.blended[p], **_BLENDED)
+        _draw_part(axes, plane, curve, p, curve.auxiliary[p], **_AUXILIARY)
+    name = f"$C({curve.parameter})$" if curve.parameter == "u" else f"$K({curve.parameter})$"
+    axes.plot(*plane.drawn(curve.at(SAMPLES)).T, color=_INK, linewidth=1.8, zorder=3, label=name)
+    fold = curve.fold_back
+    if fold:
+        backward = plane.drawn(curve.at(np.linspace(*fold.backward, len(SAMPLES))))
+        axes.plot(*backward.T, color=_WARN, linewidth=1.8, zorder=3, label="$s$ runs back")
+    ends = plane.drawn(curve.at(curve.landmarks))
+    axes.scatter(*ends.T, s=70, facecolors="none", edgecolors=_INK, linewidths=0.8, zorder=4)
+    _draw_points(axes, plane, curve)
+
+
+def _add_legend(figure: Any, axes: Any) -> None:
+    """Say once, below the drawing, what each kind of line is; in grey where there is one of every colour."""
+    from matplotlib.lines import Line2D
+
+    handles: dict[str, Any] = {}
+    for line in axes.lines:
+        if not line.get_label().startswith("_"):
+            handle = Line2D([], [])
+            handle.update_from(line)
+            handle.set_color(line.get_color() if line.get_color() not in _PARTS else _QUIET)
+            handles.setdefault(line.get_label(), handle)
+    _legend(figure, list(handles.values()), list(handles), handlelength=2.6)
+
+
+def _legend(figure: Any, handles: Sequence[Any], labels: Sequence[str], **style: Any) -> None:
+    figure.legend(
+        handles, labels, loc="outside lower center", ncols=len(labels), fontsize=_SMALL, frameon=False, **style
+    )
+
+
+def _knot_names(curve: OneCurve) -> list[str]:
+    """Return the names of the points, with what holds where the curve meets them."""
+    names = [f"$P_{k}$" for k in range(5)]
+    for p in range(3):
+        place = f"{curve.parameter} = {curve.landmarks[p]:.4g}"
+        knot = f"{_LETTERS[p]} = {_LETTERS[p]}_{{ip}} = {curve.internal_knots[p]:.4g}"
+        if p == 1:
+            place = f"{curve.parameter} = {curve.parameter}_{{ip}} = {curve.knots.u:.4g}"
+        names[p + 1] = f"$P_{p + 1}$\n${place}$\n${knot}$"
+    return names
+
+
+def _add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) -> None:
+    """Write the names of parabolas and points where they cover least."""
+    from matplotlib.patheffects import withStroke
+
+    centre = {"ha": "center", "va": "center", "fontsize": _FONT, "zorder": 6, "linespacing": 1.25}
+    halo = [withStroke(linewidth=2, foreground="white")]
+    places = [_free_place(plane, curve, p) for p in range(3)]
+    parabolas = []
+    for p, place in enumerate(places):
+        name = axes.text(*place, f"$Q_{p}({_LETTERS[p]})$", color=_PARTS[p], **centre)
+        name.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.8})
+        parabolas.append(name)
+    points = plane.drawn(curve.points)
+    labels = [
+        axes.annotate(name, point, (0, 0), textcoords="offset points", path_effects=halo, **centre)
+        for name, point in zip(names, points, strict=True)
+    ]
+    to_pixels = axes.transData.transform
+    before, after = to_pixels(points[[0, 0, 1, 2, 3]]), to_pixels(points[[1, 2, 3, 4, 4]])
+    lines = np.concatenate([_seen(plane, curve), _beyond(plane, curve), np.repeat(points, DISC, axis=0)])
+    per_point = axes.figure.dpi / 72
+    centres = place_labels(
+        to_pixels(points),
+        np.array([_extent(label) for label in labels]),
+        to_pixels(points) - (before + after) / 2,
+        to_pixels(lines),
+        gap=_GAP_POINTS * per_point,
+        box=axes.bbox.get_points(),
+        taken=np.array([(to_pixels(place), _extent(name)) for place, name in zip(places, parabolas, strict=True)]),
+    )
+    for label, offset in zip(labels, (centres - to_pixels(points)) / per_point, strict=True):
+        label.set_position(tuple(offset))
+
+
+def _extent(text: Any) -> Array:
+    """Return width and height of a text in pixels."""
+    size: Array = text.get_window_extent().size
+    return size
+
+
+def _free_place(plane: Plane, curve: OneCurve, p: int) -> Array:
+    """Return where the name of a parabola is out of the curve's way."""
+    r, _, t = curve.internal_knots
+    if p != 1:
+        outer = plane.drawn(curve.parabola(p, [r / 2 if p == 0 else (1 + t) / 2]))
+        return np.asarray(outer[0])
+    own, line = (plane.drawn(points) for points in (curve.parabola(1, SAMPLES[16:-16]), curve.at(SAMPLES)))
+    gaps = np.linalg.norm(own[:, None] - line[None], axis=2).min(axis=1)
+    return np.asarray(own[np.argmax(gaps)])
+
+
+# Functions of the parameter
+
+
+def _draw_functions(axes: Any, curve: OneCurve, values: Array, names: Sequence[str], colours: Sequence[str]) -> None:
+    for k, place in enumerate(label_places(values)):
+        axes.plot(SAMPLES, values[:, k], color=colours[k], linewidth=1.2)
+        label = axes.text(
+            SAMPLES[place], values[place, k], names[k], color=colours[k], ha="center", va="center", fontsize=_SMALL
+        )
+        label.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.5})
+    axes.axvline(curve.knots.u, color=_QUIET, linewidth=0.7, dashes=(4, 3), zorder=1)
+    axes.set_xlim(0, 1)
+    axes.tick_params(labelsize=_SMALL - 1, colors=_QUIET, length=3)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)
+
+
+def _draw_transformations(axes: Any, curve: OneCurve) -> None:
+    values = curve.transformed(SAMPLES)
+    _draw_functions(axes, curve, values, [f"${letter}$" for letter in _LETTERS], _PARTS)
+    places = zip(curve.landmarks, curve.internal_knots, _PARTS, strict=True)
+    for u, knot, colour in places:
+        axes.plot(u, knot, "o", markersize=4.5, color="white", markeredgecolor=colour, clip_on=False, zorder=5)
+    fold = curve.fold_back
+    if fold:
+        axes.axvspan(*fold.backward, color=_WARN, alpha=0.2, linewidth=0)
+    for value in (0, 1):
+        axes.axhline(value, color=_QUIET, linewidth=0.6, zorder=1)
+    s = values[:, 1]
+    axes.set_ylim(min(-0.5, s.min()) - 0.1, max(1.5, s.max()) + 0.1)

@@ -1,0 +1,72 @@
+"""Findings for people, and as the README's table."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+
+from qovr_core.document import Formulation
+from qovr_core.laboratory.claims import Claim, Finding, Verdict
+
+_WIDTH = 110
+_INDENT = " " * 17
+_NOTED = Formulation.INTERPOLATING
+"""The README notes what was found for the surface that the paper's claims describe."""
+
+
+def by_claim(findings: Iterable[Finding]) -> Iterator[tuple[Claim, list[Finding]]]:
+    """Yield each claim with its findings, one for each formulation."""
+    for claim, of_claim in groupby(findings, key=lambda finding: finding.claim):
+        yield claim, list(of_claim)
+
+
+def findings_text(findings: Iterable[Finding]) -> str:
+    """Return the findings as one block a claim."""
+    lines = [f"{'':15}  {'verdict':<9}{'here':<7}{'measured':>10}{'largest':>10}   (largest: over all trials)"]
+    for claim, of_claim in by_claim(findings):
+        lines += ["", f"{claim.id}: {claim.text}, {claim.where}", f"  {of_claim[0].here.what}"]
+        for finding in of_claim:
+            here = "holds" if finding.here.holds else "fails"
+            numbers = f"{finding.here.value:>10.3g}{finding.largest:>10.3g}"
+            lines += [f"  {finding.formulation:<15}{finding.verdict:<9}{here:<7}{numbers}", *_details(finding)]
+    return "\n".join(lines)
+
+
+def _details(finding: Finding) -> Iterator[str]:
+    """Yield the lines below a finding: its condition, what was found, where the counterexample comes from."""
+    texts = [f"if {finding.condition}"] if finding.condition else []
+    texts += [finding.here.note] if finding.here.note else []
+    if finding.counterexample is not None:
+        texts.append(f"counterexample: {'this document' if not finding.here.holds else 'one of the trials'}")
+    for text in texts:
+        yield from textwrap.wrap(text, _WIDTH, initial_indent=_INDENT, subsequent_indent=_INDENT + "  ")
+
+
+def findings_markdown(findings: Iterable[Finding]) -> str:
+    """Return the table "what the paper says, what is so" for GitHub; a number in brackets is the measured one."""
+    titles = ["the paper says", "where", "measured", *(f"`{formulation}`" for formulation in Formulation)]
+    rows = [titles, ["---"] * len(titles)]
+    for claim, of_claim in by_claim(findings):
+        cells = {finding.formulation: _cell(finding) for finding in of_claim}
+        noted = next(finding.here for finding in of_claim if finding.formulation is _NOTED)
+        if noted.note:
+            cells[_NOTED] += f"; {noted.note}"
+        rows.append([claim.text, claim.where, noted.what, *(cells[formulation] for formulation in Formulation)])
+    return "\n".join(f"| {' | '.join(_escaped(cell) for cell in row)} |" for row in rows)
+
+
+def _cell(finding: Finding) -> str:
+    verdict = f"**{finding.verdict}**"
+    if finding.verdict is Verdict.TRUE_IF:
+        return f"{verdict} {finding.condition}"
+    if finding.verdict is Verdict.FALSE:
+        failing = finding.largest if finding.here.holds else finding.here.value
+        return f"{verdict} ({failing:.2g})"
+    return verdict
+
+
+def _escaped(text: str) -> str:
+    for sign in "|_":
+        text = text.replace(sign, f"\\{sign}")
+    return text

@@ -1,0 +1,153 @@
+"""The paper's claims about one curve: its kernels, weights, degree and ends."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from qovr_core import bernstein
+from qovr_core.arrays import Array
+from qovr_core.document import NET_SIZE, Document
+from qovr_core.formulations import build_patch, kernel_decimals
+from qovr_core.kernels import inverse_kernels, kernels
+from qovr_core.knots import Knots, knot_array
+from qovr_core.laboratory.claims import Condition, Measurement
+from qovr_core.laboratory.rounding import ROUNDING, largest
+from qovr_core.weights import CURVE_DEGREE, weight_coefficients
+
+CURVE_NAMES = tuple([f"C_{i}" for i in range(NET_SIZE)] + [f"K_{j}" for j in range(NET_SIZE)])
+"""The ten curves of a document, rows before columns."""
+
+_QUARTIC = 4
+_HALVES = Knots()
+_THIRDS = Knots(r=0.3, s=0.5, u=0.5, t=0.7)
+"""The paper's Figure 6b: 1/0.3 and 1/0.7 have endless decimals."""
+_LIFTED = Knots(s=0.6)
+
+
+def inverse(document: Document) -> Measurement:
+    """M M^-1 = I for every kernel of the document, (14)-(17), (21), (22)."""
+    knots = _knots(document)[:, [0, 1, 3]]
+    kernel = kernels(knots)
+    inverted = inverse_kernels(knots, decimals=kernel_decimals(document.formulation))
+    deviation = largest(kernel @ inverted - np.eye(3))
+    condition = float(np.linalg.cond(kernel).max())
+    return Measurement(
+        value=deviation,
+        what="largest entry of M M^-1 - I",
+        holds=deviation <= ROUNDING * condition,
+        note=f"the largest condition number of a kernel is {condition:.4g}",
+    )
+
+
+def unity(document: Document) -> Measurement:
+    """The five weights of every curve sum to 1, (4)."""
+    weights = _weights(document)
+    along = bernstein.basis(CURVE_DEGREE, np.linspace(0, 1, 101))
+    deviation = largest(along @ (weights.sum(axis=-1).T - 1))
+    return Measurement(deviation, "largest |b_0 + ... + b_4 - 1|", deviation <= ROUNDING * largest(weights))
+
+
+def _rows_cancel(document: Document) -> bool:
+    """Whether the kernels keep what makes the weights sum to 1: [x^2 x 1] M^-1 sums to 1 for every x."""
+    inverted = inverse_kernels(_knots(document)[:, [0, 1, 3]], decimals=kernel_decimals(document.formulation))
+    return largest(inverted.sum(axis=-1) - [0, 0, 1]) <= ROUNDING * largest(inverted)
+
+
+def kernel_examples(document: Document) -> tuple[Document, ...]:
+    return with_knots(document, _HALVES), with_knots(document, _THIRDS)
+
+
+KERNELS_HOLD = Condition("the kernels' rows still sum to 0, 0, 1 once they are cut to four decimals", _rows_cancel)
+
+
+def quartic(document: Document) -> Measurement:
+    """Every curve, and with them the surface, is of degree four (title, abstract)."""
+    of_curves = [polynomial_degree(weights) for weights in _weights(document)]
+    coefficients = build_patch(document).coefficients
+    of_patch = polynomial_degree(coefficients), polynomial_degree(coefficients.swapaxes(0, 1))
+    higher = [name for name, degree in zip(CURVE_NAMES, of_curves, strict=True) if degree > _QUARTIC]
+    degree = max(*of_curves, *of_patch)
+    surface = f"the surface is of degree {of_patch[0]} in u and {of_patch[1]} in v"
+    note = f"{surface}; above four: {', '.join(higher)}" if higher else surface
+    return Measurement(float(degree), "largest degree", degree <= _QUARTIC, note)
+
+
+def polynomial_degree(coefficients: Array) -> int:
+    """Return the true degree of polynomials in Bernstein form, of all columns together, down to rounding.
+
+    Parameters
+    ----------
+    coefficients : (n + 1, ...) of degree n along the first axis
+    """
+    degree = len(coefficients) - 1
+    size = largest(coefficients)
+    while degree and largest(np.diff(coefficients, degree, axis=0)) <= ROUNDING * 2**degree * size:
+        degree -= 1
+    return degree
+
+
+def _all_quartic(document: Document) -> bool:
+    return all(knots.is_quartic for knots in document.row_knots + document.column_knots)
+
+
+def degree_examples(document: Document) -> tuple[Document, ...]:
+    rows = tuple(replace(knots, s=knots.u) for knots in document.row_knots)
+    columns = tuple(replace(knots, s=knots.u) for knots in document.column_knots)
+    quartic_here = replace(document, row_knots=rows, column_knots=columns)
+    return quartic_here, replace(quartic_here, row_knots=(_LIFTED, *rows[1:]))
+
+
+S_IS_U = Condition("s_ip = u_ip (v_ip) on every curve", _all_quartic)
+
+
+def ends(document: Document) -> Measurement:
+    """The weights at both ends are [0 0 1 0 0], (46), (48)."""
+    return _against_the_paper(_weights(document)[:, [0, -1]], [[0, 0, 1, 0, 0]] * 2, "weight")
+
+
+def tangents(document: Document) -> Measurement:
+    """The first derivatives of the weights at both ends are [0 -0.5 0 0.5 0], (51), (53)."""
+    first = bernstein.derivative(_weights(document), 1)
+    return _against_the_paper(first[:, [0, -1]], [[0, -0.5, 0, 0.5, 0]] * 2, "first derivative")
+
+
+def curvatures(document: Document) -> Measurement:
+    """The second derivatives of the weights are [0 0 2 -4 2] at the start and [2 -4 2 0 0] at the end, (55), (57)."""
+    second = bernstein.derivative(bernstein.derivative(_weights(document), 1), 1)
+    return _against_the_paper(second[:, [0, -1]], [[0, 0, 2, -4, 2], [2, -4, 2, 0, 0]], "second derivative")
+
+
+def _against_the_paper(found: Array, paper: list[list[float]], of_what: str) -> Measurement:
+    """Compare the rows at both ends of the ten curves, (10, 2, 5), with the paper's, (2, 5)."""
+    difference = np.abs(found - np.array(paper))
+    curve = int(difference.max(axis=(1, 2)).argmax())
+    start, end = (_row(row) for row in found[curve])
+    deviation = largest(difference)
+    return Measurement(
+        value=deviation,
+        what=f"largest difference of a {of_what} from the paper's",
+        holds=deviation <= ROUNDING * largest(found),
+        note=f"{CURVE_NAMES[curve]} has {start} at 0 and {end} at 1",
+    )
+
+
+def _row(row: Array) -> str:
+    """Return a row of weights in the paper's way of writing."""
+    return "[" + " ".join(f"{value:.4g}" for value in np.round(row, 10) + 0.0) + "]"
+
+
+def with_knots(document: Document, knots: Knots) -> Document:
+    """Return the document with the same knots on all ten curves."""
+    return replace(document, row_knots=(knots,) * NET_SIZE, column_knots=(knots,) * NET_SIZE)
+
+
+def _knots(document: Document) -> Array:
+    """Return the knots of the ten curves, (10, 4)."""
+    return knot_array(document.row_knots + document.column_knots)
+
+
+def _weights(document: Document) -> Array:
+    """Return the weights of the ten curves as the formulation computes them, (10, 7, 5)."""
+    return weight_coefficients(_knots(document), kernel_decimals=kernel_decimals(document.formulation))

@@ -1,0 +1,228 @@
+"""What one control point or one knot moves: how much, how far, how it falls off, and what the edges do."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from qovr_core import bernstein
+from qovr_core.arrays import Array, read_only
+from qovr_core.document import Document
+from qovr_core.edits import KnotPlace, set_point, set_values, value_at
+from qovr_core.formulations import build_patch
+from qovr_core.laboratory.falloff import Falloff, falloff
+from qovr_core.laboratory.levels import area_above
+from qovr_core.laboratory.still_lines import still_lines
+from qovr_core.patch import PATCH_DEGREE, Edge, Patch
+from qovr_core.pipeline import Layer, align_patch, parameters
+
+SAMPLES = 101
+"""Samples along u and v, the paper's; a share of the area is then known to about 0.0002."""
+
+PARTS = (0.1, 0.01)
+"""A place counts as moved by more than this part of the largest displacement: what is seen, and what is measured."""
+
+DEFAULT_PART = 0.1
+"""A point is moved by this part of the net's size, and a knot by as much of its interval."""
+
+_ROUNDING = 1e-12
+"""Part of the largest coordinate up to which the difference of two patches is rounding: some thousand units in the
+last place, which is what kernels of knots near 0 and 1 cost."""
+
+_SAME = 1e-9
+"""Relative difference up to which displacements count as equally large."""
+
+_ZOOM_SAMPLES = 9
+_ZOOM_ROUNDS = 10
+"""Each round looks at a window a third as wide: ten take the step of the grid below 1e-6."""
+
+
+@dataclass(frozen=True, slots=True)
+class PointMove:
+    """P_{i,j} moves by a vector (x, y, z) in the document's unit."""
+
+    i: int
+    j: int
+    vector: tuple[float, float, float]
+
+    def applied(self, document: Document) -> Document:
+        """Return the document after the move; raises DocumentError where the point would be no valid one."""
+        return set_point(document, self.i, self.j, document.control_points[self.i, self.j] + self.vector)
+
+
+@dataclass(frozen=True, slots=True)
+class KnotMove:
+    """One knot of one curve changes by an amount."""
+
+    place: KnotPlace
+    amount: float
+
+    def applied(self, document: Document) -> Document:
+        """Return the document after the change; raises DocumentError where the knot would leave (0, 1)."""
+        return set_values(document, {self.place: value_at(document, self.place) + self.amount})
+
+
+Change = PointMove | KnotMove
+
+
+@dataclass(frozen=True)
+class Reach:
+    """How much of the surface moves by more than a part of the largest displacement.
+
+    Parameters
+    ----------
+    part : that part of the largest displacement
+    area : share of the unit square of parameters, from 0 to 1; not of the surface's area in space
+    distance : parameter distance from the place of the largest displacement to the farthest sample that moves so much
+    """
+
+    part: float
+    area: float
+    distance: float
+
+
+@dataclass(frozen=True, eq=False)
+class Influence:
+    """What a change does to a surface.
+
+    Parameters
+    ----------
+    change, layer : what was changed, and which surface is meant
+    displacement : the surface after the change less the surface before, exact; its points are vectors
+    u, v : (n,) and (m,) parameters of the samples
+    magnitude : (n, m) length of the displacement, indexed [iu, iv]
+    largest : the largest displacement; 0 where nothing moves
+    place : (u, v) where it is; of several places that move equally the first along u, then v
+    reaches : one Reach for each of PARTS
+    edges : largest motion along each edge
+    corners : (2, 2) motion of the corners, indexed [u, v]
+    still_u, still_v : parameters c of the isoparametric lines u = c and v = c that do not move at all
+    falloff : displacement against distance; None where nothing moves
+    """
+
+    change: Change
+    layer: Layer
+    displacement: Patch
+    u: Array
+    v: Array
+    magnitude: Array
+    largest: float
+    place: tuple[float, float]
+    reaches: tuple[Reach, ...]
+    edges: dict[Edge, float]
+    corners: Array
+    still_u: tuple[float, ...]
+    still_v: tuple[float, ...]
+    falloff: Falloff | None
+
+
+def net_size(document: Document) -> float:
+    """Return the diagonal of the box of the control points."""
+    net = document.control_points.reshape(-1, 3)
+    return float(np.linalg.norm(np.ptp(net, axis=0)))
+
+
+def default_amount(document: Document, place: KnotPlace) -> float:
+    """Return by how much to change a knot where nothing else is asked: 0.1, downward where 1 is too near."""
+    return DEFAULT_PART if value_at(document, place) + DEFAULT_PART < 1 else -DEFAULT_PART
+
+
+def influence(document: Document, change: Change, layer: Layer) -> Influence:
+    """Return what a change of one point or knot does to a surface.
+
+    Parameters
+    ----------
+    document : what defines the surface before the change
+    change : what is changed
+    layer : which surface; for the transformed one T of (61)-(65) is computed again after the change, as
+        ``configure`` does
+
+    Raises
+    ------
+    DocumentError : the change leads to no valid document
+    EvaluationError : before or after the change the coordinates are not finite in double precision
+    """
+    displacement = _displacement(document, change.applied(document), layer)
+    u = v = parameters(SAMPLES)
+    magnitude = read_only(_lengths(displacement, u, v))
+    u_peak, v_peak, largest = _peak(displacement, u, magnitude)
+    is_still = largest == 0
+    fall = None if is_still else falloff(u, v, magnitude, (u_peak, v_peak, largest))
+    return Influence(
+        change=change,
+        layer=layer,
+        displacement=displacement,
+        u=u,
+        v=v,
+        magnitude=magnitude,
+        largest=largest,
+        place=(u_peak, v_peak),
+        reaches=tuple(_reach(magnitude, fall, part, largest) for part in PARTS),
+        edges={edge: _largest_along(displacement.edge(edge)) for edge in Edge},
+        corners=read_only(_lengths(displacement, np.array([0.0, 1.0]), np.array([0.0, 1.0]))),
+        still_u=still_lines(displacement, 0),
+        still_v=still_lines(displacement, 1),
+        falloff=fall,
+    )
+
+
+def _displacement(before: Document, after: Document, layer: Layer) -> Patch:
+    """Return the difference of the two surfaces; what is rounding in it is exactly 0."""
+    (old, old_rounding), (new, new_rounding) = (_surface(document, layer) for document in (before, after))
+    difference = new - old
+    difference[np.abs(difference) <= np.maximum(old_rounding, new_rounding)] = 0.0
+    return Patch(difference)
+
+
+def _surface(document: Document, layer: Layer) -> tuple[Array, Array]:
+    """Return a surface's coefficients (7, 7, 3), and up to how much a difference of coordinates is rounding, (3,)."""
+    if layer is Layer.RAW:
+        patch = build_patch(document)
+        return patch.coefficients, _ROUNDING * _size(patch)
+    result = align_patch(document)
+    scale, shift = np.diag(result.matrix)[:3], np.abs(result.matrix[:3, 3])
+    return result.transformed_patch.coefficients, _ROUNDING * np.maximum(scale * _size(result.patch), shift)
+
+
+def _size(patch: Patch) -> Array:
+    size: Array = np.abs(patch.coefficients).max(axis=(0, 1))
+    return size
+
+
+def _lengths(displacement: Patch, u: Array, v: Array) -> Array:
+    x, y, z = np.moveaxis(displacement.points(u, v), -1, 0)
+    lengths: Array = np.hypot(np.hypot(x, y), z)  # knots near 0 can make lengths whose squares overflow
+    return lengths
+
+
+def _peak(displacement: Patch, samples: Array, magnitude: Array) -> tuple[float, float, float]:
+    """Return where the displacement is largest, and how large: the best sample, then ever smaller windows round it."""
+    first = np.flatnonzero(magnitude >= (1 - _SAME) * magnitude.max())[0]
+    iu, iv = np.unravel_index(first, magnitude.shape)
+    u, v, width = samples[iu], samples[iv], samples[1]
+    for _ in range(_ZOOM_ROUNDS):
+        window = np.linspace(-width, width, _ZOOM_SAMPLES)
+        us, vs = np.clip(u + window, 0, 1), np.clip(v + window, 0, 1)
+        lengths = _lengths(displacement, us, vs)
+        iu, iv = np.unravel_index(lengths.argmax(), lengths.shape)
+        u, v, width = us[iu], vs[iv], width / 3
+    return float(u), float(v), float(lengths.max())
+
+
+def _reach(magnitude: Array, fall: Falloff | None, part: float, largest: float) -> Reach:
+    if fall is None:
+        return Reach(part, 0.0, 0.0)
+    distance = fall.distance[magnitude > part * largest].max(initial=0.0)
+    return Reach(part, area_above(magnitude, part * largest), float(distance))
+
+
+def _largest_along(edge: Array) -> float:
+    """Return the largest length on a curve (7, 3) of displacements: at an end, or where its square is stationary."""
+    size = np.abs(edge).max()
+    if size == 0:
+        return 0.0
+    unit = edge / size
+    squared = bernstein.product(unit.T, unit.T).sum(axis=0)
+    places = np.concatenate([[0.0, 1.0], bernstein.roots(bernstein.derivative(squared, 0))])
+    return float(size * np.linalg.norm(bernstein.basis(PATCH_DEGREE, places) @ unit, axis=1).max())

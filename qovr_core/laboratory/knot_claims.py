@@ -1,0 +1,201 @@
+"""The paper's claim that internal knots leave the boundary where it is (abstract, 5.2)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core import bernstein
+from qovr_core.alignment import align, bounding_box
+from qovr_core.arrays import Array
+from qovr_core.document import NET_SIZE, Document
+from qovr_core.formulations import build_patch, patch_coefficients
+from qovr_core.knots import Knots, knot_array
+from qovr_core.laboratory.claims import Measurement
+from qovr_core.laboratory.curve_claims import CURVE_NAMES, with_knots
+from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
+from qovr_core.laboratory.trials import SAMPLES
+from qovr_core.patch import PATCH_DEGREE, Edge
+
+KNOT_STEP = 0.1
+"""Each knot is moved this far up and down, and half the way to 0 or 1 where there is not so much room."""
+
+_REMEMBERED = 16
+"""Both claims ask for the same moves: those of one document and its examples, under three formulations."""
+
+Flags = npt.NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class EdgeMotion:
+    """How far the edges move, by move of a knot.
+
+    Parameters
+    ----------
+    parts : (80, 4) largest motion of the edges u=0, u=1, v=0, v=1, of the size of what they bound
+    keeps : (80,) whether all four keep their place to rounding
+    corners : the largest motion of a corner, likewise
+    """
+
+    parts: Array
+    keeps: Flags
+    corners: float
+
+
+@dataclass(frozen=True, eq=False)
+class KnotMoves:
+    """What the 80 moves of single knots do to a surface, by move.
+
+    Parameters
+    ----------
+    curve : (80,) number of the curve whose knot moves, as in ``CURVE_NAMES``
+    has_effect : (80,) whether the surface moves at all
+    box_keeps : (80,) whether the box of the raw samples is the same as before
+    raw, transformed : how the edges move before and after T, which every move computes anew
+    """
+
+    curve: npt.NDArray[np.intp]
+    has_effect: Flags
+    box_keeps: Flags
+    raw: EdgeMotion
+    transformed: EdgeMotion
+
+
+EDGES_KEPT_BY = "the knot belongs to {parts}"
+EDGES_KEPT_AFTER_T = "the knot belongs to {parts}, and the box of the raw samples keeps"
+
+
+def edges(document: Document) -> Measurement:
+    """No internal knot moves an edge of the raw surface."""
+    moves = knot_moves(document)
+    return Measurement(
+        value=float(moves.raw.parts.max()),
+        what=f"largest motion of an edge when one knot moves by {KNOT_STEP:g}, as part of the surface's size",
+        holds=bool(moves.raw.keeps.all()),
+        note=f"{_who_moves(moves)}; {_corners(moves.raw)}",
+        parts=_by_curve(moves, moves.has_effect, moves.raw.keeps),
+    )
+
+
+def edges_transformed(document: Document) -> Measurement:
+    """No internal knot moves an edge of the transformed surface, T computed anew."""
+    moves = knot_moves(document)
+    counted = moves.has_effect & moves.box_keeps
+    return Measurement(
+        value=float(moves.transformed.parts.max()),
+        what=f"largest motion of an edge after T when one knot moves by {KNOT_STEP:g}, as part of the net's size",
+        holds=bool(moves.transformed.keeps.all()),
+        note=f"{counted.sum()} of {moves.has_effect.sum()} moves with an effect keep the sampled box; "
+        f"{_corners(moves.transformed)}",
+        parts=_by_curve(moves, counted, moves.transformed.keeps),
+    )
+
+
+def box_examples(document: Document) -> tuple[Document, ...]:
+    """Return two saddles over a rectangle, with the document's knots and with 0.5: they meet their box on the edges."""
+    i, j = (np.mgrid[:NET_SIZE, :NET_SIZE] - 2) / 2
+    box = bounding_box(document.control_points)
+    extent = np.where(box[:, 1] > box[:, 0], box[:, 1] - box[:, 0], 1.0)
+    net = box.mean(axis=1) + extent / 2 * np.stack([j, i, j * j - i * i], axis=-1)
+    saddle = replace(document, control_points=net)
+    return saddle, with_knots(saddle, Knots())
+
+
+def _who_moves(moves: KnotMoves) -> str:
+    """Name, for each edge, the curves under whose knots it moves."""
+    texts = []
+    for number, edge in enumerate(Edge):
+        moved = moves.raw.parts[:, number] > ROUNDING
+        curves = [CURVE_NAMES[k] for k in np.unique(moves.curve[moved])]
+        texts.append(f"{edge} moves under {', '.join(curves)}" if curves else f"{edge} keeps")
+    return "; ".join(texts)
+
+
+def _corners(motion: EdgeMotion) -> str:
+    return f"corners move by {motion.corners:.2g}" if motion.corners > ROUNDING else "corners keep"
+
+
+def _by_curve(moves: KnotMoves, counted: Flags, keeps: Flags) -> dict[str, bool]:
+    """Return whether the counted moves of each curve's knots keep the edges; curves without any are left out."""
+    return {
+        name: bool(keeps[counted & (moves.curve == k)].all())
+        for k, name in enumerate(CURVE_NAMES)
+        if (counted & (moves.curve == k)).any()
+    }
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def knot_moves(document: Document) -> KnotMoves:
+    """Move each of the 40 knots up and down, and compare surfaces, edges and boxes.
+
+    Raises
+    ------
+    EvaluationError : the document has no finite surface
+    """
+    curve, knots = _moved_knots(document)
+    net, formulation = document.control_points, document.formulation
+    before = build_patch(document).coefficients
+    moved = patch_coefficients(net, knots[:, :NET_SIZE], knots[:, NET_SIZE:], formulation)
+    patches = np.concatenate([before[None], moved])
+    noise = ROUNDING * largest(patches)
+    boxes = _sampled_boxes(patches)
+    edges = _edge_points(patches)
+    size = float(np.ptp(before, axis=(0, 1)).max())
+    scale, shift = _alignments(boxes, net)
+    aligned = edges * scale[:, None, None] + shift[:, None, None]
+    aligned_noise = ROUNDING * (largest(scale * np.abs(boxes).max(axis=-1)) + largest(shift))
+    net_size = float(np.ptp(net, axis=(0, 1)).max())
+    return KnotMoves(
+        curve=curve,
+        has_effect=np.abs(moved - before).max(axis=(1, 2, 3)) > noise,
+        box_keeps=np.abs(boxes[1:] - boxes[0]).max(axis=(1, 2)) <= noise,
+        raw=_motion(edges, size, noise),
+        transformed=_motion(aligned, net_size, aligned_noise),
+    )
+
+
+def _moved_knots(document: Document) -> tuple[npt.NDArray[np.intp], Array]:
+    """Return, for each move, the number of the curve and the knots of all curves, (80,) and (80, 10, 4)."""
+    knots = knot_array(document.row_knots + document.column_knots)
+    up = np.where(knots + KNOT_STEP < 1, knots + KNOT_STEP, (knots + 1) / 2)
+    down = np.where(knots - KNOT_STEP > 0, knots - KNOT_STEP, knots / 2)
+    curves, names = np.divmod(np.arange(knots.size), knots.shape[1])
+    moved = np.repeat(knots[None], 2 * knots.size, axis=0)
+    for start, values in ((0, up), (knots.size, down)):
+        moved[start + np.arange(knots.size), curves, names] = values.ravel()
+    return np.tile(curves, 2), moved
+
+
+def _sampled_boxes(patches: Array) -> Array:
+    """Return the boxes of samples of patches (k, 7, 7, 3), as (k, 3, 2)."""
+    basis_u, basis_v = (bernstein.basis(PATCH_DEGREE, np.linspace(0, 1, samples)) for samples in SAMPLES)
+    coordinates = np.moveaxis(patches, 0, 2).reshape((PATCH_DEGREE + 1) ** 2, -1)
+    points = np.kron(basis_u, basis_v) @ coordinates  # one product for all, rather than one for each
+    boxes = np.stack([points.min(axis=0), points.max(axis=0)], axis=-1)
+    return boxes.reshape(len(patches), 3, 2)
+
+
+def _edge_points(patches: Array) -> Array:
+    """Return samples of the four edges of patches (k, 7, 7, 3), in the order of ``Edge``, as (k, 4, n, 3)."""
+    edges = np.stack([patches[:, 0], patches[:, -1], patches[:, :, 0], patches[:, :, -1]], axis=1)
+    points: Array = bernstein.basis(PATCH_DEGREE, np.linspace(0, 1, SAMPLES[0])) @ edges
+    return points
+
+
+def _alignments(boxes: Array, net: Array) -> tuple[Array, Array]:
+    """Return scale and shift of the transformation T of each raw box, each (k, 3)."""
+    control_box = bounding_box(net)
+    matrices = np.array([align(box, control_box).matrix for box in boxes])
+    return matrices[:, range(3), range(3)], matrices[:, :3, 3]
+
+
+def _motion(edges: Array, size: float, noise: float) -> EdgeMotion:
+    """Compare the edges after each move with the first, which are those before."""
+    distances = np.linalg.norm(edges[1:] - edges[0], axis=-1)
+    largest_of_edge = distances.max(axis=-1)
+    parts = largest_of_edge / (size or 1.0)
+    corners = distances[:, :, [0, -1]].max()
+    return EdgeMotion(parts, largest_of_edge.max(axis=-1) <= noise, part_of(float(corners), size))

@@ -1,0 +1,125 @@
+"""Two patches of one larger net, joined as the paper joins them (Lemmas 1 and 2, Theorem 1)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import StrEnum
+
+import numpy as np
+
+from qovr_core import bernstein
+from qovr_core.arrays import Array
+from qovr_core.document import NET_SIZE, Document
+from qovr_core.formulations import build_patch
+from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
+from qovr_core.patch import PATCH_DEGREE
+
+CONTINUATION_SEED = 7
+"""The two further columns (rows) of the larger net are drawn from this seed."""
+
+_SHIFT = 2
+"""Neighbours share three columns (rows): the second begins two further on."""
+
+_DRAWN = 0.25
+"""Drawn points leave the affine continuation by up to this part of the net's size."""
+
+_ORDERS = 3
+"""Position, first and second cross derivative."""
+
+_ALONG = np.linspace(0, 1, 41)
+"""Where along a joint its sides are compared."""
+
+
+class Across(StrEnum):
+    """The direction in which the neighbour lies."""
+
+    U = "u"
+    V = "v"
+
+
+class Continuation(StrEnum):
+    """How the net goes on: drawn at random, or reflected through its last line, as an affine net goes on itself."""
+
+    DRAWN = "drawn"
+    REFLECTED = "reflected"
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """Two neighbours, joined at the first's 1 and the second's 0.
+
+    Parameters
+    ----------
+    across : the parameter that crosses the joint
+    first, second : documents on the larger net's first and last five columns (``u``) or rows (``v``); the curves
+        they share keep their knots
+    """
+
+    across: Across
+    first: Document
+    second: Document
+
+    def jumps(self) -> tuple[Jump, ...]:
+        """Return how position, first and second cross derivative jump, from the exact patches.
+
+        Raises
+        ------
+        EvaluationError : a neighbour has no finite surface
+        """
+        first, second = (self._crossing(document) for document in (self.first, self.second))
+        size = max(float(np.ptp(patch, axis=(0, 1)).max()) for patch in (first, second))
+        noise = ROUNDING * max(largest(first), largest(second))
+        jumps = []
+        for _ in range(_ORDERS):
+            along = bernstein.basis(PATCH_DEGREE, _ALONG)
+            distance = float(np.linalg.norm(along @ (first[-1] - second[0]), axis=-1).max())
+            jumps.append(Jump(part_of(distance, size), distance <= noise))
+            noise *= 2 * (len(first) - 1)  # a derivative is so often a difference of two coefficients
+            first, second = bernstein.derivative(first, 0), bernstein.derivative(second, 0)
+        return tuple(jumps)
+
+    def _crossing(self, document: Document) -> Array:
+        """Return the document's patch as coefficients (7, 7, 3) with the crossing parameter first."""
+        coefficients = build_patch(document).coefficients
+        return coefficients if self.across is Across.U else coefficients.swapaxes(0, 1)
+
+
+@dataclass(frozen=True)
+class Jump:
+    """How far two neighbours differ along their joint.
+
+    Parameters
+    ----------
+    part : the largest difference as part of the size of the larger patch (per unit of the parameter for
+        derivatives)
+    is_rounding : whether it is no more than rounding
+    """
+
+    part: float
+    is_rounding: bool
+
+
+def joints(document: Document, continuation: Continuation) -> tuple[Joint, Joint]:
+    """Return the document joined with its neighbour across u = 1 and with that across v = 1.
+
+    The neighbour across u takes the row knots of the document, the column knots of its K_2, K_3, K_4 for its K_0,
+    K_1, K_2, and those of K_3 and K_4 for its new curves; across v likewise.
+    """
+    net = document.control_points
+    columns = document.column_knots[_SHIFT:] + document.column_knots[-_SHIFT:]
+    rows = document.row_knots[_SHIFT:] + document.row_knots[-_SHIFT:]
+    across_u = _continued(net.swapaxes(0, 1), continuation).swapaxes(0, 1)
+    return (
+        Joint(Across.U, document, replace(document, control_points=across_u, column_knots=columns)),
+        Joint(Across.V, document, replace(document, control_points=_continued(net, continuation), row_knots=rows)),
+    )
+
+
+def _continued(net: Array, continuation: Continuation) -> Array:
+    """Return the net of the neighbour beyond the last index of the first axis."""
+    beyond = 2 * net[-1] - net[[-2, -3]]
+    if continuation is Continuation.DRAWN:
+        rng = np.random.default_rng(CONTINUATION_SEED)
+        extent = np.ptp(net, axis=(0, 1)).max() or 1.0
+        beyond = beyond + _DRAWN * extent * rng.uniform(-1, 1, beyond.shape)
+    return np.concatenate([net[_SHIFT:NET_SIZE], beyond])

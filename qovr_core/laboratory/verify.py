@@ -1,0 +1,118 @@
+"""The table of the paper's claims, and the one call that decides them all."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from qovr_core.document import Document, Formulation
+from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
+from qovr_core.laboratory.claims import Claim, Finding, decide_steps
+
+CLAIMS: tuple[Claim, ...] = (
+    Claim("inverse", "M times M^-1 is the identity", "(14)-(17), (21), (22)", curve_claims.inverse),
+    Claim(
+        "unity",
+        "the weights of a curve sum to 1",
+        "(4)",
+        curve_claims.unity,
+        condition=curve_claims.KERNELS_HOLD,
+        examples=curve_claims.kernel_examples,
+    ),
+    Claim(
+        "quartic",
+        "curves and surface are of degree four",
+        "title, abstract",
+        curve_claims.quartic,
+        condition=curve_claims.S_IS_U,
+        examples=curve_claims.degree_examples,
+    ),
+    Claim("ends", "the weights are [0 0 1 0 0] at both ends of a curve", "(46), (48)", curve_claims.ends),
+    Claim(
+        "tangents",
+        "the first derivatives of the weights are [0 -0.5 0 0.5 0] at both ends",
+        "(51), (53)",
+        curve_claims.tangents,
+    ),
+    Claim(
+        "curvatures",
+        "the second derivatives of the weights are [0 0 2 -4 2] at 0 and [2 -4 2 0 0] at 1",
+        "(55), (57)",
+        curve_claims.curvatures,
+    ),
+    Claim("C0", "neighbouring patches meet without a gap", "Lemma 1, (45)", joint_claims.c0),
+    Claim(
+        "C1",
+        "the tangents of neighbouring patches agree across the joint",
+        "Lemma 2, (50)",
+        joint_claims.c1,
+        condition=joint_claims.KNOTS_CROSS_ALIKE,
+        examples=joint_claims.crossing_examples,
+    ),
+    Claim(
+        "C2",
+        "the second derivatives of neighbouring patches do not agree across the joint",
+        "Theorem 1, (60)",
+        joint_claims.c2,
+    ),
+    Claim(
+        "edges",
+        "internal knots do not move the boundary",
+        "abstract, 5.2",
+        knot_claims.edges,
+        parts_condition=knot_claims.EDGES_KEPT_BY,
+    ),
+    Claim(
+        "edges'",
+        "internal knots do not move the boundary of the transformed surface",
+        "abstract, 5.2, 5.3",
+        knot_claims.edges_transformed,
+        parts_condition=knot_claims.EDGES_KEPT_AFTER_T,
+        examples=knot_claims.box_examples,
+    ),
+    Claim(
+        "local",
+        "the effect of a moved point decreases exponentially with the distance",
+        "abstract, 5.3",
+        shape_claims.local,
+    ),
+    Claim(
+        "symmetry",
+        "0.5 knots and a symmetric net give a symmetric surface",
+        "5.3",
+        shape_claims.symmetry,
+        condition=shape_claims.ROW_4_SYMMETRIC,
+        examples=shape_claims.symmetry_examples,
+    ),
+    Claim(
+        "boxes",
+        "T maps the box of the raw surface onto that of the control points",
+        "(61)-(65), 5.1",
+        shape_claims.boxes,
+        condition=shape_claims.RAW_HAS_EXTENT,
+    ),
+    Claim("fairness", "there are no wave-like artifacts", "abstract, 5.3", fairness.fairness, is_general=False),
+)
+"""Every claim, in the paper's order, beside the function that measures it."""
+
+
+def verify(document: Document) -> tuple[Finding, ...]:
+    """Decide every claim for every formulation, and measure it on a document.
+
+    The document's own formulation does not matter: it is looked at under each.
+
+    Returns
+    -------
+    one finding for each claim and formulation, claim by claim
+
+    Raises
+    ------
+    EvaluationError : the document has no finite surface under some formulation
+    """
+    return tuple(finding for finding in verify_steps(document) if finding is not None)
+
+
+def verify_steps(document: Document) -> Iterator[Finding | None]:
+    """Decide as ``verify`` does, in small pieces: yield None after each, and every finding as it is known."""
+    for claim in CLAIMS:
+        for formulation in Formulation:
+            yield from decide_steps(claim, document, formulation)

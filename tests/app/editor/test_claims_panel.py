@@ -1,0 +1,196 @@
+"""The panel of claims: current for the document, in nobody's way, and a door to the counterexamples."""
+
+from dataclasses import replace
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowser
+
+from qovr_app.laboratory import claims_panel
+from qovr_app.laboratory.claims_panel import QUIET_MILLISECONDS, ClaimsPanel
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
+from qovr_core import Formulation
+from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
+
+STEPS_BETWEEN = 3
+"""An edit is seen after so many turns of the event loop at most, each of which may take one small step."""
+
+
+@pytest.fixture
+def steps(monkeypatch):
+    """How many steps of looking for verdicts have been taken."""
+    taken = []
+
+    def counted(document):
+        for step in verify_steps(document):
+            taken.append(step)
+            yield step
+
+    monkeypatch.setattr(claims_panel, "verify_steps", counted)
+    return taken
+
+
+@pytest.fixture
+def lab(editor, steps):
+    editor.trigger("laboratory_claims")
+    return editor
+
+
+def panel(lab):
+    return lab.find("laboratory.claims", ClaimsPanel)
+
+
+def table(lab):
+    return lab.find("laboratory.claims.table", ClaimsTable)
+
+
+def state(lab):
+    return lab.find("laboratory.claims.state", QLabel).text()
+
+
+def select(lab, claim, formulation):
+    row = [entry.id for entry in CLAIMS].index(claim)
+    table(lab).setCurrentCell(row, 1 + list(Formulation).index(formulation))
+    lab.settle()
+
+
+def shown(lab):
+    """Return what every cell says, by claim and formulation."""
+    return {
+        (claim.id, formulation): table(lab).item(row, column).data(Qt.ItemDataRole.AccessibleTextRole)
+        for row, claim in enumerate(CLAIMS)
+        for column, formulation in enumerate(Formulation, start=1)
+    }
+
+
+def edit(lab, value):
+    """Move a point, as a drag in the view does it."""
+    net = lab.document.control_points.copy()
+    net[2, 2, 2] = value
+    lab.window.session.apply("Move P 2,2", replace(lab.document, control_points=net))
+
+
+def turns_until_shown(lab):
+    """Count the turns of the event loop from now until the window has the document's surface."""
+    for turn in range(1, 20):
+        QApplication.processEvents()
+        if lab.window._result.document == lab.document:
+            return turn
+    raise AssertionError("the edit is not shown")
+
+
+def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
+    spin(lambda: panel(lab).is_current)
+    cells = shown(lab)
+    for finding in verify(lab.document):
+        spoken = cells[finding.claim.id, finding.formulation]
+        assert f": {finding.verdict}" in spoken
+        assert spoken.endswith("it holds" if finding.here.holds else "it fails")
+        item = table(lab).item(CLAIMS.index(finding.claim), 1 + list(Formulation).index(finding.formulation))
+        lines = [item.data(Qt.ItemDataRole.UserRole + k) for k in range(2)]
+        assert lines[0] == f"{MARKS[finding.verdict]} {finding.verdict}"
+        assert lines[1].startswith("here holds" if finding.here.holds else "here fails")
+    assert state(lab) == "Current for this document"
+
+
+def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, spin, steps):
+    spin(lambda: panel(lab).is_current)
+    edit(lab, 0.71)
+    undisturbed = turns_until_shown(lab)
+    for value in (0.72, 0.73, 0.74):
+        before = len(steps)
+        spin(lambda before=before: len(steps) > before + 20)
+        assert not panel(lab).is_current
+        taken = len(steps)
+        edit(lab, value)
+        assert turns_until_shown(lab) <= undisturbed
+        lab.settle()
+        assert len(steps) - taken <= STEPS_BETWEEN
+        stopped = len(steps)
+        spin(QUIET_MILLISECONDS // 3)
+        assert len(steps) == stopped
+        assert "grey" in state(lab)
+    spin(lambda: panel(lab).is_current)
+    findings = {(finding.claim.id, finding.formulation): finding for finding in verify(lab.document)}
+    for key, spoken in shown(lab).items():
+        assert spoken.endswith("it holds" if findings[key].here.holds else "it fails")
+
+
+def test_old_verdicts_look_old_until_new_ones_come(lab, spin):
+    spin(lambda: panel(lab).is_current)
+    edit(lab, 0.75)
+    lab.settle()
+    is_old = [table(lab).item(row, 1).data(Qt.ItemDataRole.UserRole + 2) for row in range(len(CLAIMS))]
+    assert all(is_old)
+    spin(lambda: panel(lab).is_current)
+    assert not any(table(lab).item(row, 1).data(Qt.ItemDataRole.UserRole + 2) for row in range(len(CLAIMS)))
+
+
+def test_another_formulation_or_sample_count_changes_no_verdict(lab, spin, steps):
+    spin(lambda: panel(lab).is_current)
+    taken = len(steps)
+    lab.choose("surface.formulation", "interpolating")
+    lab.type_into("surface.samples_u", "31")
+    spin(2 * QUIET_MILLISECONDS)
+    assert len(steps) == taken
+    assert panel(lab).is_current
+    assert table(lab).horizontalHeaderItem(3).font().bold()
+    assert not table(lab).horizontalHeaderItem(1).font().bold()
+
+
+def test_a_hidden_panel_does_nothing_and_goes_on_when_it_is_shown(lab, spin, steps):
+    spin(lambda: len(steps) > 5)
+    lab.trigger("laboratory_claims")
+    taken = len(steps)
+    spin(2 * QUIET_MILLISECONDS)
+    assert len(steps) == taken
+    lab.trigger("laboratory_claims")
+    spin(lambda: panel(lab).is_current)
+
+
+def test_a_counterexample_opens_as_a_document_of_its_own(lab, spin):
+    spin(lambda: panel(lab).is_current)
+    select(lab, "unity", Formulation.PUBLISHED)
+    assert "Counterexample" not in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    assert lab.find("laboratory.claims.counterexample", QAbstractButton).isHidden()
+    select(lab, "inverse", Formulation.PUBLISHED)
+    finding = table(lab).current_finding()
+    assert finding.here.holds
+    assert "another document" in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    lab.click("laboratory.claims.counterexample")
+    assert lab.document == finding.counterexample
+    assert lab.window.windowTitle().startswith("Counterexample to inverse, published")
+    spin(lambda: panel(lab).is_current)
+    assert not table(lab).current_finding().here.holds
+    assert "this document itself" in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+
+
+def test_everything_can_be_done_by_keyboard(lab, spin):
+    spin(lambda: panel(lab).is_current)
+    table(lab).setFocus()
+    select(lab, "C1", Formulation.INTERPOLATING)
+    lab.key(Qt.Key.Key_Return, widget=table(lab))
+    assert "holds on everything" in lab.message()
+    lab.key(Qt.Key.Key_Down, widget=table(lab))
+    finding = table(lab).current_finding()
+    assert (finding.claim.id, finding.formulation) == ("C2", Formulation.INTERPOLATING)
+    lab.key(Qt.Key.Key_Return, widget=table(lab))
+    assert lab.document == finding.example
+    assert lab.window.windowTitle().startswith("Example to C2, interpolating")
+
+
+def test_a_claim_s_own_cell_stands_for_the_document_s_formulation(lab, spin):
+    spin(lambda: panel(lab).is_current)
+    table(lab).setCurrentCell(6, 0)
+    assert table(lab).current_finding().formulation is Formulation.PUBLISHED
+    text = lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    assert text.startswith("C0, Lemma 1, (45)")
+    assert "For published: ✗ false" in text
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(0.0, "0"), (0.0634, "0.063"), (2.42e-5, "2e−5"), (4.44e-16, "4e−16"), (6.0, "6"), (106, "106"), (2e7, "2e7")],
+)
+def test_numbers_are_short(value, text):
+    assert number(value) == text

@@ -1,0 +1,272 @@
+"""The panel of one curve: what it shows is the curve of the document, and its handles are the knots."""
+
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QPointF, Qt
+from PySide6.QtGui import QImage
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLabel, QSpinBox
+
+from qovr_app.appearance import set_theme
+from qovr_app.view3d.settings import ThemeName
+from qovr_core import Formulation, curve_network
+from qovr_core.edits import Direction, KnotPlace, set_values
+from qovr_core.laboratory.one_curve import SAMPLES, curve_of
+
+
+@pytest.fixture
+def panel(make_editor):
+    editor = make_editor("paper:fig6c")
+    editor.trigger("laboratory_curve")
+    editor.window.workspace.laboratory.panels["curve"].editor = editor
+    yield editor.window.workspace.laboratory.panels["curve"]
+    set_theme(ThemeName.LIGHT)
+
+
+def plot_of(panel, name):
+    return panel.editor.find(f"laboratory.curve.{name}")
+
+
+def caption(panel, name):
+    """Return a caption as the eye reads it."""
+    return re.sub("<[^>]*>|&nbsp;", " ", panel.editor.find(f"laboratory.curve.{name}.caption", QLabel).text())
+
+
+def pixel_of(plot, x, y):
+    return plot.mapFromScene(plot.view_box.mapViewToScene(QPointF(x, y)))
+
+
+def drag(panel, handle, moves):
+    """Drag a handle of the transformations by pixels, one move after the other."""
+    plot = plot_of(panel, "transformations")
+    at = pixel_of(plot, *plot.handles[handle].pos())
+    QTest.mouseMove(plot.viewport(), at)
+    QTest.mousePress(plot.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    for move in moves:
+        at += move
+        QTest.mouseMove(plot.viewport(), at)
+        panel.editor.settle()
+    QTest.mouseRelease(plot.viewport(), Qt.MouseButton.LeftButton, pos=at)
+    panel.editor.settle()
+
+
+def assert_shows(panel, document, direction, number):
+    curve = curve_of(document, direction, number)
+    assert (panel.curve.direction, panel.curve.number, panel.curve.knots) == (direction, number, curve.knots)
+    geometry = plot_of(panel, "geometry")
+    lines = [np.stack(line.getData(), axis=1) for line in geometry.listDataItems() if line.getData()[0] is not None]
+    wanted = geometry._plane.drawn(curve.at(SAMPLES))
+    assert any(line.shape == wanted.shape and line == pytest.approx(wanted) for line in lines)
+    for name, values in (("blends", curve.blends), ("weights", curve.weights), ("transformations", curve.transformed)):
+        shown = [line.getData()[1] for line in plot_of(panel, name)._lines]
+        assert pytest.approx(values(SAMPLES)) == np.array(shown).T
+
+
+def test_it_shows_the_curve_of_the_knot_in_focus(panel):
+    editor = panel.editor
+    assert_shows(panel, editor.document, Direction.ROWS, 4)
+    editor.field("column_knots.K_2.v").setFocus()
+    editor.settle()
+    assert editor.find("laboratory.curve.choice", QComboBox).currentText() == "K₂(v)"
+    assert_shows(panel, editor.document, Direction.COLUMNS, 2)
+    editor.field("control_points.P_1_3.z").setFocus()
+    editor.settle()
+    assert_shows(panel, editor.document, Direction.COLUMNS, 3)
+    editor.choose("laboratory.curve.choice", "C₀(u)")
+    assert_shows(panel, editor.document, Direction.ROWS, 0)
+    assert "no effect on the published surface" in caption(panel, "geometry")
+    editor.window.controller.set_formulation(Formulation.INTERPOLATING)
+    editor.settle()
+    assert "no effect" not in caption(panel, "geometry")
+    assert panel.curve.decimals is None
+
+
+def test_it_follows_every_edit_of_a_drag_once_a_turn(panel):
+    editor = panel.editor
+    editor.field("row_knots.C_4.s").setFocus()
+    editor.settle()
+    shown = []
+    draw = panel._geometry.show_curve
+    panel._geometry.show_curve = lambda *what: shown.append(None) or draw(*what)
+    editor.drag_slider("row_knots.slider", [4, 4, 4, 4, 4, 4])
+    assert 3 <= len(shown) <= 6
+    assert_shows(panel, editor.document, Direction.ROWS, 4)
+    assert editor.document.row_knots[4].s > 0.6
+
+
+def test_the_curve_is_the_one_the_formulation_computes(panel):
+    editor = panel.editor
+    editor.type_into("row_knots.C_4.r", "0.3")
+    assert panel.curve.decimals == 4
+    network = curve_network(editor.document)
+    assert panel.curve._coefficients == pytest.approx(network.rows[4], abs=1e-14)
+    exact = curve_of(set_values(editor.document, {KnotPlace(Direction.ROWS, 4, "r"): 0.3}), Direction.ROWS, 4).at(
+        SAMPLES
+    )
+    assert panel.curve.at(SAMPLES) == pytest.approx(exact)
+
+
+def test_a_handle_drags_its_knot_live_and_as_one_step(panel):
+    editor = panel.editor
+    before = editor.document
+    from PySide6.QtCore import QPoint
+
+    drag(panel, "r", [QPoint(0, -8)] * 4)
+    knots = editor.document.row_knots
+    assert {curve.r for curve in knots} == {knots[0].r}  # the curves are linked
+    assert 0.4 < knots[0].r < 1
+    assert round(knots[0].r, 3) == knots[0].r
+    assert knots[0].s == 0.6
+    assert editor.window.session.history.undoText() == "Set r_ip of C_0..C_4"
+    editor.trigger("undo")
+    assert editor.document == before
+
+    drag(panel, "s", [QPoint(-6, -6)] * 3)
+    knots = editor.document.row_knots[4]
+    assert knots.u < 0.7
+    assert knots.s > 0.6
+    handle = plot_of(panel, "transformations").handles["s"]
+    assert tuple(handle.pos()) == (knots.u, knots.s)
+    editor.trigger("undo")
+    assert editor.document == before
+    drag(panel, "t", [QPoint(0, 300)] * 3)
+    assert editor.document.row_knots[4].t == 0.001  # no farther than a slider goes
+
+
+def test_a_handle_respects_the_links_and_staged_edits(panel):
+    from PySide6.QtCore import QPoint
+
+    editor = panel.editor
+    editor.trigger("link_curves")
+    drag(panel, "r", [QPoint(0, -10)] * 2)
+    assert editor.document.row_knots[4].r != 0.4
+    assert {curve.r for curve in editor.document.row_knots[:4]} == {0.4}
+    editor.trigger("live")
+    document = editor.document
+    drag(panel, "t", [QPoint(0, -10)] * 2)
+    assert editor.document == document
+    assert editor.field("row_knots.C_4.t").is_pending
+    assert plot_of(panel, "transformations").handles["t"].pos().y() == document.row_knots[4].t
+
+
+def test_the_fold_back_is_marked(panel):
+    editor = panel.editor
+    plot = plot_of(panel, "transformations")
+    assert not plot._fold.isVisible()
+    editor.type_into("row_knots.C_4.s", "0.98")
+    fold = panel.curve.fold_back
+    assert plot._fold.isVisible()
+    assert plot._fold.getRegion() == pytest.approx(fold.backward)
+    assert f"s falls from {fold.backward[0]:.3g} to 1" in " ".join(caption(panel, "transformations").split())
+    low, high = plot.view_box.viewRange()[1]
+    assert low < 0 < fold.turn < high
+
+
+def test_hovering_says_the_values(panel):
+    plot = plot_of(panel, "weights")
+    QTest.mouseMove(plot.viewport(), pixel_of(plot, 0.25, 0.5))
+    panel.editor.settle()
+    u = float(re.search(r"u = (\d\.\d+)", " ".join(caption(panel, "geometry").split()))[1])
+    assert u == pytest.approx(0.25, abs=0.01)
+    values = {name: re.findall(r"[−\d]\d*\.\d+", caption(panel, name)) for name in ("blends", "weights")}
+    numbers = {name: [float(text.replace("−", "-")) for text in texts] for name, texts in values.items()}
+    assert numbers["blends"] == pytest.approx(panel.curve.blends([u])[0], abs=6e-3)
+    assert numbers["weights"] == pytest.approx(panel.curve.weights([u])[0], abs=2e-2)
+    geometry = plot_of(panel, "geometry")
+    place = geometry._plane.drawn(panel.curve.at([0.6]))[0]
+    geometry.hovered.emit(tuple(place))
+    assert "u  = 0.600" in caption(panel, "geometry")
+    geometry.hovered.emit(None)
+    assert "degree 6" in caption(panel, "geometry")
+
+
+def test_planes_and_scales(panel):
+    editor = panel.editor
+    geometry = plot_of(panel, "geometry")
+    labels = [geometry.getAxis(side).labelText for side in ("bottom", "left")]
+    assert labels == ["x", "z"]
+    editor.find("laboratory.curve.plane", QComboBox).setCurrentText("y, z")
+    editor.settle()
+    assert [geometry.getAxis(side).labelText for side in ("bottom", "left")] == ["y", "z"]
+    editor.find("laboratory.curve.plane", QComboBox).setCurrentText("Best plane")
+    editor.find("laboratory.curve.equal_scales", QCheckBox).click()
+    editor.settle()
+    width, height = geometry.view_box.viewPixelSize()
+    assert width == pytest.approx(height)
+
+
+def test_it_follows_light_and_dark(panel):
+    for name, is_dark in ((ThemeName.DARK, True), (ThemeName.LIGHT, False)):
+        set_theme(name)
+        panel.editor.settle()
+        for plot in ("geometry", "blends", "weights", "transformations"):
+            image = plot_of(panel, plot).grab().toImage()
+            assert (image.pixelColor(image.width() - 3, 3).lightnessF() < 0.5) == is_dark
+
+
+@pytest.mark.parametrize("kind", ["png", "svg", "pdf"])
+def test_the_curve_is_saved_as_a_figure(panel, home, monkeypatch, kind):
+    editor = panel.editor
+    path = home / f"curve.{kind}"
+    offered = []
+    monkeypatch.setattr(
+        QFileDialog, "getSaveFileName", lambda parent, title, first, kinds: offered.append(first) or (str(path), "")
+    )
+    editor.click("laboratory.curve.figure")
+    dialog = next(child for child in editor.window.findChildren(QDialog) if child.windowTitle() == "Save Figure")
+    dialog.findChild(QSpinBox, "figure.dpi").setValue(100)
+    dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save).click()
+    editor.settle()
+    assert offered[0].endswith("fig6c_C_4.png")
+    assert f"Wrote {path}" in editor.message()
+    if kind == "png":
+        assert QImage(str(path)).size().toTuple() == (630, 472)
+    elif kind == "svg":
+        assert ET.parse(path).getroot().tag.endswith("svg")
+    else:
+        assert path.read_bytes().startswith(b"%PDF")
+
+
+def test_a_figure_too_small_to_read_is_refused(panel, home):
+    from qovr_app.laboratory.curve_panel import _write
+    from qovr_app.view3d.figure import FigureOptions
+    from qovr_core import FileError
+    from qovr_core.laboratory.planes import View
+
+    with pytest.raises(FileError, match="50 x 40 mm is too small for a curve"):
+        _write(panel.curve, View.BEST, False, home / "a.png", FigureOptions(width=50, height=40))
+    with pytest.raises(FileError, match="by the file name's end"):
+        _write(panel.curve, View.BEST, False, home / "a.gif", FigureOptions())
+    assert list(home.iterdir()) == []
+
+
+def test_every_part_has_a_spoken_name_and_is_seen(make_editor):
+    editor = make_editor(size=(1280, 720))
+    editor.trigger("laboratory_curve")
+    for name in ("choice", "plane", "geometry", "blends", "weights", "transformations"):
+        widget = editor.find(f"laboratory.curve.{name}")
+        assert widget.accessibleName()
+        seen = widget.viewport() if hasattr(widget, "viewport") else widget
+        assert seen.visibleRegion().boundingRect() == seen.rect(), name
+
+
+def test_a_window_with_the_panel_open_is_let_go(make_editor, spin):
+    editor = make_editor("paper:fig5")
+    editor.trigger("laboratory_curve")
+    gone = []
+    editor.window.workspace.laboratory.panels["curve"].destroyed.connect(lambda: gone.append(None))
+    editor.discard()
+    spin(lambda: bool(gone))
+
+
+def test_the_plots_are_loaded_when_they_are_asked_for(app):
+    code = (
+        "import sys\nimport qovr_app.main_window\n"
+        "assert not {'pyqtgraph', 'matplotlib', 'scipy'} & {name.split('.')[0] for name in sys.modules}"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
