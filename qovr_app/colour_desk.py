@@ -23,6 +23,7 @@ from qovr_core.pipeline import Layer as SurfaceLayer
 from qovr_core.pipeline import default_layer
 
 if TYPE_CHECKING:
+    from qovr_app.view3d.rival import Rival
     from qovr_app.view3d.view import View3D
 
 
@@ -42,6 +43,7 @@ class ColourDesk(QObject):
         self._surface: ParametricSurface | None = None
         self._name = ""
         self._knot: KnotPlace | None = None
+        self._rival: Rival | None = None
 
     def commands(self) -> list[Command]:
         """Return the commands that pin, unpin, and copy what the probe says."""
@@ -95,6 +97,12 @@ class ColourDesk(QObject):
         """Tell a view that comes late what the others know."""
         view.set_reference(self._surface, self._name)
         view.set_focus_knot(self._knot)
+        view.set_rival(self._rival)
+
+    def show_rival(self, rival: Rival | None) -> None:
+        """Show another surface of the same net beside the document's or over it, or none any more."""
+        self._rival = rival
+        self._view().set_rival(rival)
 
     def copy_probe(self) -> None:
         """Copy what the probe says."""

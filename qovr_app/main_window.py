@@ -98,6 +98,7 @@ class MainWindow(QMainWindow):
             *help_commands(self),
         ]
         self.commands = make_actions(self._table, self)
+        self.workspace.laboratory.use_commands(self.commands)
 
     def _assemble(self) -> None:
         self.workspace.add_bars(make_edit_bar(self.commands, self), make_view_bar(self.commands, self))
@@ -125,6 +126,7 @@ class MainWindow(QMainWindow):
         space.laboratory.document_requested.connect(self.desk.open_document)
         space.laboratory.figure_requested.connect(self.desk.save_drawing)
         space.laboratory.told.connect(lambda text, refused: self.tell(text, refused=refused))
+        space.laboratory.rival_requested.connect(self.colours.show_rival)
         space.focus_changed.connect(self.colours.focus_on)
         self.colours.told.connect(self.tell)
         self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))

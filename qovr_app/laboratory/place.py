@@ -56,6 +56,13 @@ PANELS = (
         "InfluencePanel",
     ),
     PanelEntry(
+        "comparison",
+        "Co&mparison",
+        "Bezier, B-spline, NURBS and Catmull-Rom of the same net: in the view, and measured",
+        "comparison_panel",
+        "ComparisonPanel",
+    ),
+    PanelEntry(
         "claims", "C&laims", "What the paper says of its surfaces, and what is so", "claims_panel", "ClaimsPanel"
     ),
 )
@@ -74,7 +81,7 @@ class LaboratoryPlace(QWidget):
     Signals
     -------
     panel_changed : the name of the panel that is shown now; empty when the place is closed
-    document_requested, values_edited, figure_requested, told : those of all panels
+    document_requested, values_edited, figure_requested, told, rival_requested : those of all panels
     """
 
     panel_changed = Signal(str)
@@ -82,6 +89,7 @@ class LaboratoryPlace(QWidget):
     values_edited = Signal(object, int)
     figure_requested = Signal(str, object)
     told = Signal(str, bool)
+    rival_requested = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -91,6 +99,7 @@ class LaboratoryPlace(QWidget):
         self.setAutoFillBackground(True)
         self.setVisible(False)
         self.panels: dict[str, LaboratoryPanel] = {}
+        self._commands: dict[str, QAction] = {}
         self._result: AlignedPatch | None = None
         self._focus: Focus = None
         self._last_told: dict[str, dict[str, Any]] = {}
@@ -127,6 +136,10 @@ class LaboratoryPlace(QWidget):
         self.setVisible(False)
         self.panel_changed.emit("")
 
+    def use_commands(self, commands: dict[str, QAction]) -> None:
+        """Take the window's commands, for panels that offer one of them."""
+        self._commands = commands
+
     def show_result(self, result: AlignedPatch) -> None:
         """Take the latest result; told at once, so that panel and view reach the screen in one frame."""
         self._result = result
@@ -161,9 +174,10 @@ class LaboratoryPlace(QWidget):
 
     def _make_panel(self, entry: PanelEntry) -> LaboratoryPanel:
         panel = entry.make()
+        panel.use_commands(self._commands)
         panel.setObjectName(f"laboratory.{entry.name}")
         panel.setAccessibleName(entry.title.replace("&", ""))
-        for signal in ("document_requested", "values_edited", "figure_requested", "told"):
+        for signal in ("document_requested", "values_edited", "figure_requested", "told", "rival_requested"):
             getattr(panel, signal).connect(getattr(self, signal))
         self._stack.addWidget(panel)
         self.panels[entry.name] = panel

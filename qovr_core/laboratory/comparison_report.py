@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from math import isfinite, isnan
+from enum import Enum
+from math import degrees, isfinite
 from typing import Any
 
 from qovr_core.laboratory.comparison import SHARES, Comparison, Contender, Measures, Trial
@@ -30,99 +31,106 @@ DESCRIPTIONS = {
 _ROUNDING = 1e-12
 """A length below this part of the net's size is rounding, and is shown as 0; so is an angle in radians."""
 
-_NO_JOINTS = "no joints"
-_NO_NUMBER = "-"
+NO_JOINTS, NO_NUMBER = "no joints", "-"
+
+
+class Unit(Enum):
+    """What a measure is counted in."""
+
+    LENGTH = "length"
+    CURVATURE = "1 / length"
+    DEGREES = "degrees"
+    SHARE = "share"
+    PURE = "pure number"
 
 
 @dataclass(frozen=True)
 class Row:
-    """One measure: what it is called, what it means, and its text for one surface of a net of some size."""
+    """One measure: what it is called, what it means, its unit, and its value, None where there are no joints."""
 
     label: str
     explanation: str
-    text: Callable[[Measures, float], str]
+    unit: Unit
+    value: Callable[[Measures], float | None]
+
+    def text(self, measures: Measures, net_size: float) -> str:
+        """Return the value as it is shown; what is rounding for a net of that size is 0."""
+        value = self.value(measures)
+        if value is None:
+            return NO_JOINTS
+        if not isfinite(value):
+            return NO_NUMBER
+        if self.unit is Unit.SHARE:
+            return f"{100 * value:.1f} %"
+        rounding = {Unit.LENGTH: net_size, Unit.CURVATURE: 1 / net_size, Unit.DEGREES: degrees(1)}.get(self.unit, 1.0)
+        return "0" if abs(value) <= _ROUNDING * rounding else f"{value:.4g}"
 
 
-def _length(get: Callable[[Measures], float]) -> Callable[[Measures, float], str]:
-    return lambda measures, size: _number(get(measures), _ROUNDING * size)
-
-
-def _share(index: int) -> Callable[[Measures, float], str]:
-    def text(measures: Measures, _size: float) -> str:
-        share = measures.shares[index]
-        return _NO_NUMBER if isnan(share) else f"{100 * share:.1f} %"
-
-    return text
-
-
-def _tangent_jump(measures: Measures, _size: float) -> str:
-    return _NO_JOINTS if measures.joints is None else _number(measures.joints.tangent, 60 * _ROUNDING)
-
-
-def _curvature_jump(measures: Measures, size: float) -> str:
-    return _NO_JOINTS if measures.joints is None else _number(measures.joints.curvature, _ROUNDING / size)
-
-
-def _number(value: float, rounding: float) -> str:
-    if not isfinite(value):
-        return _NO_NUMBER
-    return "0" if abs(value) <= rounding else f"{value:.4g}"
+def _share_row(index: int, share: float) -> Row:
+    explanation = f"Part of the area that moves by more than {100 * share:g} % of the largest displacement."
+    return Row(f"area moved > {100 * share:g} %", explanation, Unit.SHARE, lambda measures: measures.shares[index])
 
 
 def _edge_row(edge: Edge) -> Row:
     explanation = "The largest displacement on this edge when the chosen point moves."
-    return Row(f"motion of the edge {edge}", explanation, _length(lambda measures: measures.edge_motion[edge]))
+    return Row(
+        f"edge {str(edge).replace('=', ' = ')} moves",
+        explanation,
+        Unit.LENGTH,
+        lambda measures: measures.edge_motion[edge],
+    )
 
 
 ROWS = (
     Row(
         "largest displacement",
         "How far the surface moves where it moves most.",
-        _length(lambda m: m.largest_motion),
+        Unit.LENGTH,
+        lambda measures: measures.largest_motion,
     ),
-    *(
-        Row(
-            f"area moved by > {100 * share:g} % of it",
-            f"Part of the area that moves by more than {100 * share:g} % of the largest displacement.",
-            _share(index),
-        )
-        for index, share in enumerate(SHARES)
-    ),
+    *(_share_row(index, share) for index, share in enumerate(SHARES)),
     *(_edge_row(edge) for edge in Edge),
     Row(
-        "motion of the corners",
+        "corners move",
         "The largest displacement of the four corners.",
-        _length(lambda m: float(m.corner_motion.max())),
+        Unit.LENGTH,
+        lambda measures: float(measures.corner_motion.max()),
     ),
     Row(
-        "distance from the inner points",
+        "off the inner points",
         "The largest distance of the nine inner control points from the surface; 0 where it runs through them.",
-        _length(lambda m: m.distance_from_points),
+        Unit.LENGTH,
+        lambda measures: measures.distance_from_points,
     ),
     Row(
-        "tangent jump at the joints, degrees",
+        "tangent jump, degrees",
         "The largest angle between the tangents of parameter lines on both sides of an interior joint.",
-        _tangent_jump,
+        Unit.DEGREES,
+        lambda measures: None if measures.joints is None else measures.joints.tangent,
     ),
     Row(
-        "curvature jump at the joints",
+        "curvature jump",
         "The largest jump of the curvature vector of parameter lines across an interior joint, in 1 / length.",
-        _curvature_jump,
+        Unit.CURVATURE,
+        lambda measures: None if measures.joints is None else measures.joints.curvature,
     ),
     Row(
         "bending energy",
         "The integral of k1^2 + k2^2 over the area; it has no unit, and no number where the surface folds.",
-        lambda m, _size: _number(m.bending_energy, _ROUNDING),
+        Unit.PURE,
+        lambda measures: measures.bending_energy,
     ),
     Row(
         "farthest from QOVR",
         "The largest distance of a point of this surface from the QOVR surface.",
-        _length(lambda m: m.distance_from_qovr),
+        Unit.LENGTH,
+        lambda measures: measures.distance_from_qovr,
     ),
     Row(
         "QOVR farthest from it",
         "The largest distance of a point of the QOVR surface from this one.",
-        _length(lambda m: m.distance_of_qovr),
+        Unit.LENGTH,
+        lambda measures: measures.distance_of_qovr,
     ),
 )
 """The measures, in the order in which they are shown."""
@@ -145,6 +153,7 @@ def comparison_text(comparison: Comparison) -> str:
     lines = [
         motion_text(trial),
         f"QOVR is the {document.formulation} surface, {default_layer(document)}. Lengths are in the net's units.",
+        "Areas move by more than 1 % and 10 % of the largest displacement; jumps are those at interior joints.",
         "",
         " " * widest + "".join(f"{NAMES[contender]:>13}" for contender in comparison.measures),
     ]
@@ -152,6 +161,16 @@ def comparison_text(comparison: Comparison) -> str:
         texts = [row.text(measures, size) for measures in comparison.measures.values()]
         lines.append(f"{row.label:<{widest}}" + "".join(f"{text:>13}" for text in texts))
     return "\n".join(lines)
+
+
+def copied_text(comparison: Comparison) -> str:
+    """Return the table for a spreadsheet: tab separated, every number in full, an empty cell for none."""
+    columns = comparison.measures
+    lines = [("measure", *(NAMES[contender] for contender in columns))]
+    for row in ROWS:
+        values = (row.value(measures) for measures in columns.values())
+        lines.append((row.label, *("" if value is None else repr(value) for value in values)))
+    return motion_text(comparison.trial) + "\n" + "".join("\t".join(line) + "\n" for line in lines)
 
 
 def comparison_facts(comparison: Comparison) -> dict[str, Any]:

@@ -1,0 +1,200 @@
+"""The classical surfaces of the same net: in the view over or beside QOVR, and measured in a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
+
+from qovr_app.laboratory.comparison_bar import ComparisonBar
+from qovr_app.laboratory.comparison_table import ComparisonTable
+from qovr_app.laboratory.panel import Focus, LaboratoryPanel
+from qovr_app.panels.look import SPACE
+from qovr_app.panels.parts import symbol
+from qovr_app.panels.symbols import symbol_html
+from qovr_app.view3d.rival import Rival
+from qovr_app.view3d.scene import Result
+from qovr_app.view3d.settings import Placement
+from qovr_app.view3d.theme import Theme
+from qovr_core import AlignedPatch, Document, ParametricSurface, QovrError
+from qovr_core.laboratory.comparison import (
+    DEFAULT_POINT,
+    Comparison,
+    Contender,
+    Measures,
+    Trial,
+    companion,
+    comparison_steps,
+)
+from qovr_core.laboratory.comparison_report import NAMES, copied_text
+
+QUIET_MILLISECONDS = 300
+"""After the last change it is so long quiet before the surfaces are measured again."""
+
+Seen = tuple[Contender, Placement, tuple[int, int], float] | None
+"""What the view shows besides QOVR: a surface, where, the weighted point and its weight."""
+
+
+class ComparisonPanel(LaboratoryPanel):
+    """Follows the document and the selected point.
+
+    The measures are taken in pieces of some ten milliseconds, one whenever the event loop has nothing else to do; a
+    change stops that at once, and until there are new ones the old are shown pale. The other surface is in the view
+    while the panel is shown.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._document: Document | None = None
+        self._point = DEFAULT_POINT
+        self._trial: Trial | None = None
+        self._steps: Iterator[tuple[Contender, Measures] | None] | None = None
+        self._measures: dict[Contender, Measures] = {}
+        self._seen: Seen = None
+        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MILLISECONDS)
+        self._quiet.timeout.connect(self._begin)
+        self._idle = QTimer(self, interval=0)
+        self._idle.timeout.connect(self._on_idle)
+        self._bar = ComparisonBar(self)
+        self._bar.view_changed.connect(self._show_in_view)
+        self._bar.weight_changed.connect(self._on_weight_changed)
+        self._bar.copy_requested.connect(self._copy)
+        self._bar.refused.connect(lambda reason: self.told.emit(reason, True))
+        self._bar.show_point(*self._point)
+        self._bar.set_copyable(False)
+        self._state = symbol("", quiet=True, parent=self)
+        self._state.setObjectName("laboratory.comparison.state")
+        self._state.setWordWrap(True)
+        self._table = ComparisonTable(self)
+        self._arrange()
+
+    @property
+    def is_current(self) -> bool:
+        """Whether every measure shown is the document's."""
+        return len(self._measures) == len(Contender)
+
+    def use_commands(self, commands: dict[str, QAction]) -> None:
+        self._bar.distances.use(commands["colour_by_distance"])
+
+    def show_result(self, result: AlignedPatch) -> None:
+        """Measure again when nothing has changed for a while."""
+        if result.document != self._document:
+            self._document = result.document
+            self._restart()
+
+    def show_focus(self, focus: Focus) -> None:
+        """Move the point that has come into focus; a knot in focus changes nothing."""
+        if isinstance(focus, tuple) and focus != self._point:
+            self._point = focus
+            self._bar.show_point(*focus)
+            self._show_in_view()
+            self._restart()
+
+    def show_theme(self, _theme: Theme) -> None:
+        self._table.refresh_colours()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        self._show_in_view()
+        if self._document is not None and not self.is_current:
+            self._quiet.start()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        if not event.spontaneous():  # a minimised window comes back as it was
+            self._stop()
+            self._bar.distances.restore()
+            self._see(None)
+
+    # In the view
+
+    def _show_in_view(self) -> None:
+        placement = self._bar.placement
+        if placement is None:
+            self._see(None)
+        else:
+            self._see((self._bar.contender, placement, self._point, self._bar.weight))
+
+    def _see(self, wanted: Seen) -> None:
+        """Ask for what the view is to show besides QOVR, if that is something else."""
+        if wanted == self._seen:
+            return
+        self._seen = wanted
+        self._table.show_contender(wanted and wanted[0])
+        self.rival_requested.emit(wanted and _rival(*wanted))
+
+    # Measuring
+
+    def _on_weight_changed(self) -> None:
+        self._show_in_view()
+        self._restart()
+
+    def _restart(self) -> None:
+        self._stop()
+        self._measures = {}
+        self._table.set_old()
+        self._bar.set_copyable(False)
+        self._quiet.start()
+
+    def _stop(self) -> None:
+        self._quiet.stop()
+        self._idle.stop()
+        self._steps = None
+
+    def _begin(self) -> None:
+        self._measures = {}
+        try:
+            self._trial = Trial(self._document, self._point, self._bar.weight)
+        except QovrError as error:
+            self._refuse(error)
+            return
+        self._steps = comparison_steps(self._trial)
+        self._state.setText(f"{_motion_html(self._trial)} Measuring …")
+        self._idle.start()
+
+    def _on_idle(self) -> None:
+        """Do one small piece."""
+        try:
+            found = next(self._steps)
+        except QovrError as error:
+            self._stop()
+            self._refuse(error)
+            return
+        if found is None:
+            return
+        contender, self._measures[contender] = found
+        self._table.show_measures(*found, self._trial.net_size)
+        if self.is_current:
+            self._stop()
+            self._state.setText(f"{_motion_html(self._trial)} Lengths are in the net's units.")
+            self._bar.set_copyable(True)
+
+    def _refuse(self, error: QovrError) -> None:
+        self._table.clear_measures()
+        self._state.setText(f"Nothing to measure: {error}.")
+
+    def _copy(self) -> None:
+        QGuiApplication.clipboard().setText(copied_text(Comparison(self._trial, self._measures)))
+        self.told.emit("Copied the comparison", False)
+
+    def _arrange(self) -> None:
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
+        layout.setSpacing(SPACE)
+        layout.addWidget(self._bar)
+        layout.addWidget(self._state)
+        layout.addWidget(self._table, 1)
+
+
+def _rival(contender: Contender, placement: Placement, point: tuple[int, int], weight: float) -> Rival:
+    def surface_of(result: Result) -> ParametricSurface:
+        return companion(contender, result.document.control_points, point, weight)
+
+    return Rival(NAMES[contender], surface_of, placement)
+
+
+def _motion_html(trial: Trial) -> str:
+    point = symbol_html("P", "{},{}".format(*trial.point))
+    return f"{point} moves by {trial.step:.4g} along <i>z</i>, a tenth of the net's size."

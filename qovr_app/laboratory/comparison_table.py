@@ -1,0 +1,121 @@
+"""The table of the comparison: one row a measure, one column a surface; quiet, for it judges nothing."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+
+from qovr_app.panels.look import SPACE, look, number_font
+from qovr_core.laboratory.comparison import Contender, Measures
+from qovr_core.laboratory.comparison_report import DESCRIPTIONS, NAMES, ROWS
+
+_CONTENDERS = tuple(Contender)
+_WIDEST_TEXT = "Catmull-Rom"
+_ROW_BEYOND_TEXT = 2
+_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
+
+
+class ComparisonTable(QTableWidget):
+    """Shows measures as they come; those of the document before are pale until then."""
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(len(ROWS), 1 + len(_CONTENDERS), parent)
+        self.setObjectName("laboratory.comparison.table")
+        self.setAccessibleName("Measures of the QOVR surface and of the classical surfaces of its net")
+        self._new: set[Contender] = set()
+        self.setFont(number_font(self.font()))
+        self.setFrameShape(QTableWidget.Shape.NoFrame)
+        self.setShowGrid(False)
+        self.setAlternatingRowColors(True)
+        self.setWordWrap(False)
+        self.setTabKeyNavigation(False)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self._fill()
+        self._arrange_headers()
+        self.refresh_colours()
+
+    def show_contender(self, contender: Contender | None) -> None:
+        """Set apart the surface that the view shows besides QOVR, if any."""
+        for column, name in enumerate(_CONTENDERS, start=1):
+            font = QFont(self.font())
+            font.setBold(name is contender)
+            self.horizontalHeaderItem(column).setFont(font)
+
+    def show_measures(self, contender: Contender, measures: Measures, net_size: float) -> None:
+        """Show the measures of one surface."""
+        self._new.add(contender)
+        for row, measure in enumerate(ROWS):
+            text = measure.text(measures, net_size)
+            item = self.item(row, 1 + _CONTENDERS.index(contender))
+            item.setText(text)
+            spoken = f"{measure.label}, {NAMES[contender]}: {text}"
+            item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
+        self.refresh_colours()
+
+    def set_old(self) -> None:
+        """Mark everything shown as measured on the document before."""
+        self._new.clear()
+        self.refresh_colours()
+
+    def clear_measures(self) -> None:
+        """Take all numbers away."""
+        for row in range(len(ROWS)):
+            for column in range(1, self.columnCount()):
+                self.item(row, column).setText("")
+
+    def refresh_colours(self) -> None:
+        """Take the colours of the theme in force."""
+        for row in range(len(ROWS)):
+            self.item(row, 0).setForeground(look().ink)
+            for column, contender in enumerate(_CONTENDERS, start=1):
+                self.item(row, column).setForeground(look().ink if contender in self._new else look().quiet)
+
+    def selected_text(self) -> str:
+        """Return what is selected, tab separated."""
+        rows: dict[int, list[str]] = {}
+        for index in sorted(self.selectedIndexes()):
+            rows.setdefault(index.row(), []).append(self.item(index.row(), index.column()).text())
+        return "".join("\t".join(texts) + "\n" for texts in rows.values())
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            QGuiApplication.clipboard().setText(self.selected_text())
+        else:
+            super().keyPressEvent(event)
+
+    def sizeHint(self) -> QSize:
+        down = self.verticalHeader().defaultSectionSize()
+        return QSize(super().sizeHint().width(), self.horizontalHeader().sizeHint().height() + down * len(ROWS))
+
+    def _fill(self) -> None:
+        for row, measure in enumerate(ROWS):
+            for column in range(self.columnCount()):
+                item = QTableWidgetItem(measure.label if column == 0 else "")
+                item.setToolTip(measure.explanation)
+                if column:
+                    item.setTextAlignment(_RIGHT)
+                self.setItem(row, column, item)
+
+    def _arrange_headers(self) -> None:
+        self.setHorizontalHeaderLabels(["measure", *(NAMES[contender] for contender in _CONTENDERS)])
+        self.horizontalHeaderItem(0).setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
+        across, down = self.horizontalHeader(), self.verticalHeader()
+        across.setStyleSheet(f"QHeaderView::section {{ border: none; padding: {SPACE}px {SPACE}px; }}")
+        across.setHighlightSections(False)
+        across.setSectionsClickable(False)
+        across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        across.setMinimumSectionSize(8)
+        width = self.fontMetrics().horizontalAdvance(_WIDEST_TEXT) + 4 * SPACE
+        for column, contender in enumerate(_CONTENDERS, start=1):
+            header = self.horizontalHeaderItem(column)
+            header.setTextAlignment(_RIGHT)
+            header.setToolTip(DESCRIPTIONS[contender])
+            across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
+            across.resizeSection(column, width)
+        down.setVisible(False)
+        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        down.setDefaultSectionSize(self.fontMetrics().height() + _ROW_BEYOND_TEXT)
