@@ -14,6 +14,9 @@ POINT_SIZE = 3.0
 _LINE_WIDTHS = {Style.FACETS: 1.0, Style.SMOOTH: 1.0, Style.WIREFRAME: 1.1, Style.POINTS: 0.0}
 _LINE_OPACITIES = {Style.FACETS: 0.62, Style.SMOOTH: 0.30, Style.WIREFRAME: 1.0, Style.POINTS: 0.0}
 
+_FIELD_LINES = 0.55
+"""Over anything but height facets have lines that much paler: pale colours are to be read through them."""
+
 _PATTERN_LINES = 0.4
 """Over stripes and bands, which are lines themselves, parameter lines are that much paler."""
 
@@ -36,6 +39,8 @@ def line_opacity(settings: DisplaySettings) -> float:
     """Return the opacity of parameter lines; 0 means none."""
     shown = settings.parameter_lines or settings.style is Style.WIREFRAME
     paler = _PATTERN_LINES if settings.colour_by in PATTERNS else 1.0
+    if settings.style is Style.FACETS and settings.colour_by not in (ColourBy.HEIGHT, *PATTERNS):
+        paler = _FIELD_LINES
     return _LINE_OPACITIES[settings.style] * paler if shown else 0.0
 
 
