@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.laboratory.labels import DISC, label_places, place_labels
+from qovr_core.laboratory.curve_names import name_centres, named_places, seen_points
+from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
 
@@ -23,9 +24,6 @@ _LETTERS = "rst"
 _SIZE_INCHES = (5.0, 3.7)
 _FONT, _SMALL = 9, 8
 _GAP_POINTS = 5.0
-_DENSE = 1001
-"""Points of a line that may run far out of the drawing, so that enough of them are in it."""
-
 _ROOM = 0.16
 """Kept free around the curve for labels, as a part of its extent."""
 
@@ -131,7 +129,7 @@ def _drawing(curve: OneCurve) -> tuple[Any, Any, Plane]:
 
 def _frame(axes: Any, plane: Plane, curve: OneCurve) -> None:
     """Give the drawing its range: what lies between the points, with room for labels."""
-    seen = _seen(plane, curve)
+    seen = seen_points(curve, plane)
     low, high = seen.min(axis=0), seen.max(axis=0)
     extent = np.maximum(high - low, _FLATTEST * max(*(high - low), np.finfo(float).tiny))
     middle = (low + high) / 2
@@ -172,17 +170,6 @@ def _style(axes: Any, plane: Plane, *, outer_only: bool = False) -> None:
         axes.spines[side].set_color(_QUIET)
     if outer_only:
         axes.label_outer()
-
-
-def _seen(plane: Plane, curve: OneCurve) -> Array:
-    """Return points of the curve and of the whole parabolas, (n, 2)."""
-    return plane.drawn(np.concatenate([curve.at(SAMPLES), *(curve.parabola(p, SAMPLES) for p in range(3))]))
-
-
-def _beyond(plane: Plane, curve: OneCurve) -> Array:
-    """Return points of the auxiliary segments, (n, 2)."""
-    ends = curve.auxiliary
-    return plane.drawn(np.concatenate([curve.parabola(p, np.linspace(*ends[p], _DENSE)) for p in range(3)]))
 
 
 def _draw_part(axes: Any, plane: Plane, curve: OneCurve, p: int, part: tuple[float, float], **style: Any) -> None:
@@ -250,49 +237,20 @@ def _add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) -
 
     centre = {"ha": "center", "va": "center", "fontsize": _FONT, "zorder": 6, "linespacing": 1.25}
     halo = [withStroke(linewidth=2, foreground="white")]
-    places = [_free_place(plane, curve, p) for p in range(3)]
-    parabolas = []
-    for p, place in enumerate(places):
-        name = axes.text(*place, f"$Q_{p}({_LETTERS[p]})$", color=_PARTS[p], **centre)
-        name.set_bbox({"facecolor": "white", "edgecolor": "none", "pad": 0.8})
-        parabolas.append(name)
-    points = plane.drawn(curve.points)
-    labels = [
-        axes.annotate(name, point, (0, 0), textcoords="offset points", path_effects=halo, **centre)
-        for name, point in zip(names, points, strict=True)
-    ]
     to_pixels = axes.transData.transform
-    before, after = to_pixels(points[[0, 0, 1, 2, 3]]), to_pixels(points[[1, 2, 3, 4, 4]])
-    lines = np.concatenate([_seen(plane, curve), _beyond(plane, curve), np.repeat(points, DISC, axis=0)])
+    places = named_places(curve, plane, to_pixels)
+    texts = [*names, *(f"$Q_{p}({_LETTERS[p]})$" for p in range(3))]
+    colours = [_INK] * 5 + list(_PARTS)
+    labels = [
+        axes.annotate(text, place, (0, 0), textcoords="offset points", path_effects=halo, color=colour, **centre)
+        for text, place, colour in zip(texts, places, colours, strict=True)
+    ]
+    sizes = np.array([label.get_window_extent().size for label in labels])
     per_point = axes.figure.dpi / 72
-    centres = place_labels(
-        to_pixels(points),
-        np.array([_extent(label) for label in labels]),
-        to_pixels(points) - (before + after) / 2,
-        to_pixels(lines),
-        gap=_GAP_POINTS * per_point,
-        box=axes.bbox.get_points(),
-        taken=np.array([(to_pixels(place), _extent(name)) for place, name in zip(places, parabolas, strict=True)]),
-    )
-    for label, offset in zip(labels, (centres - to_pixels(points)) / per_point, strict=True):
+    gap, box = _GAP_POINTS * per_point, axes.bbox.get_points()
+    centres = name_centres(curve, plane, to_pixels, sizes, gap=gap, box=box)
+    for label, offset in zip(labels, (centres - to_pixels(places)) / per_point, strict=True):
         label.set_position(tuple(offset))
-
-
-def _extent(text: Any) -> Array:
-    """Return width and height of a text in pixels."""
-    size: Array = text.get_window_extent().size
-    return size
-
-
-def _free_place(plane: Plane, curve: OneCurve, p: int) -> Array:
-    """Return where the name of a parabola is out of the curve's way."""
-    r, _, t = curve.internal_knots
-    if p != 1:
-        outer = plane.drawn(curve.parabola(p, [r / 2 if p == 0 else (1 + t) / 2]))
-        return np.asarray(outer[0])
-    own, line = (plane.drawn(points) for points in (curve.parabola(1, SAMPLES[16:-16]), curve.at(SAMPLES)))
-    gaps = np.linalg.norm(own[:, None] - line[None], axis=2).min(axis=1)
-    return np.asarray(own[np.argmax(gaps)])
 
 
 # Functions of the parameter
@@ -314,7 +272,9 @@ def _draw_functions(axes: Any, curve: OneCurve, values: Array, names: Sequence[s
 
 def _draw_transformations(axes: Any, curve: OneCurve) -> None:
     values = curve.transformed(SAMPLES)
-    _draw_functions(axes, curve, values, [f"${letter}$" for letter in _LETTERS], _PARTS)
+    low, high = min(-0.5, values[:, 1].min()) - 0.1, max(1.5, values[:, 1].max()) + 0.1
+    seen = np.where((low < values) & (values < high), values, np.nan)
+    _draw_functions(axes, curve, seen, [f"${letter}$" for letter in _LETTERS], _PARTS)
     places = zip(curve.landmarks, curve.internal_knots, _PARTS, strict=True)
     for u, knot, colour in places:
         axes.plot(u, knot, "o", markersize=4.5, color="white", markeredgecolor=colour, clip_on=False, zorder=5)
@@ -323,5 +283,4 @@ def _draw_transformations(axes: Any, curve: OneCurve) -> None:
         axes.axvspan(*fold.backward, color=_WARN, alpha=0.2, linewidth=0)
     for value in (0, 1):
         axes.axhline(value, color=_QUIET, linewidth=0.6, zorder=1)
-    s = values[:, 1]
-    axes.set_ylim(min(-0.5, s.min()) - 0.1, max(1.5, s.max()) + 0.1)
+    axes.set_ylim(low, high)

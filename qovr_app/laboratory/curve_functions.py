@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory.plots import Plot, coloured, pen
+from qovr_app.laboratory.plots import Plot, coloured
 from qovr_app.view3d.theme import Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.labels import label_places
@@ -44,10 +45,10 @@ class FunctionPlot(Plot):
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
-        self._knot.setPen(pen(theme.axis, 1, Qt.PenStyle.DashLine))
-        self._hover.setPen(pen(theme.ink, 1))
+        self._knot.setPen(self.pen(theme.axis, 1, Qt.PenStyle.DashLine))
+        self._hover.setPen(self.pen(theme.ink, 1))
         for line, text, html, colour in zip(self._lines, self._texts, self.legend(), self.series, strict=True):
-            line.setPen(pen(colour, 1.8))
+            line.setPen(self.pen(colour, 1.8))
             text.setHtml(html)
             text.fill.setColor(QColor(*theme.background))
             text.fill.setStyle(Qt.BrushStyle.SolidPattern)
@@ -70,7 +71,8 @@ class FunctionPlot(Plot):
         self._values = values
         for k, line in enumerate(self._lines):
             line.setData(SAMPLES, values[:, k])
-        for k, place in enumerate(label_places(values)):
+        low, high = bounds
+        for k, place in enumerate(label_places(np.where((low < values) & (values < high), values, np.nan))):
             self._texts[k].setPos(SAMPLES[place], values[place, k])
         self._knot.setPos(u_ip)
         self.view_box.setYRange(*bounds)

@@ -5,15 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory.plots import Plot, coloured, pen
+from qovr_app.laboratory.plots import Plot, coloured
 from qovr_app.panels.look import look
 from qovr_app.panels.symbols import symbol_html
 from qovr_app.view3d.theme import Theme
 from qovr_core.arrays import Array
-from qovr_core.laboratory.labels import DISC, place_labels
+from qovr_core.laboratory.curve_names import name_centres, named_places, seen_points
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
 
@@ -51,25 +50,21 @@ class GeometryPlot(Plot):
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
         parts = theme.series[1:4]
-        self._polygon.setPen(pen(theme.axis, 1, Qt.PenStyle.DotLine))
+        self._polygon.setPen(self.pen(theme.axis, 1, Qt.PenStyle.DotLine))
         for lines, width, style, alpha in (
             (self._whole, 1.2, Qt.PenStyle.SolidLine, 255),
             (self._blended, 6, Qt.PenStyle.SolidLine, _BLENDED_ALPHA),
             (self._auxiliary, 1.2, Qt.PenStyle.DashLine, 255),
         ):
             for line, colour in zip(lines, parts, strict=True):
-                line.setPen(pen((*colour, alpha), width, style))
-        self._line.setPen(pen(theme.ink, 2.4))
-        self._backward.setPen(pen(look().warn, 2.4))
-        self._rings.setPen(pen(theme.ink, 1.2))
+                line.setPen(self.pen((*colour, alpha), width, style))
+        self._line.setPen(self.pen(theme.ink, 2.4))
+        self._backward.setPen(self.pen(look().warn, 2.4))
+        self._rings.setPen(self.pen(theme.ink, 1.2))
         self._rings.setBrush(None)
-        self._points.setPen(pen(theme.background, 1))
-        self._hover.setPen(pen(theme.background, 1))
-        self._hover_parts.setPen(pen(theme.background, 1))
-        for text, colour in zip(self._parabola_texts, parts, strict=True):
-            text.fill.setColor(QColor(*theme.background))
-            text.fill.setStyle(Qt.BrushStyle.SolidPattern)
-            text.setColor(colour)
+        self._points.setPen(self.pen(theme.background, 1))
+        self._hover.setPen(self.pen(theme.background, 1))
+        self._hover_parts.setPen(self.pen(theme.background, 1))
         for k, text in enumerate(self._parabola_texts):
             text.setHtml(coloured(f"{symbol_html('Q', k)}(<i>{'rst'[k]}</i>)", parts[k]))
         self._draw()
@@ -120,33 +115,20 @@ class GeometryPlot(Plot):
 
     def _place_texts(self) -> None:
         """Put every name where it covers least."""
-        curve, drawn = self._curve, self._plane.drawn
-        seen = drawn(np.concatenate([curve.at(SAMPLES), *(curve.parabola(p, SAMPLES) for p in range(3))]))
-        beyond = [curve.parabola(p, np.linspace(*curve.auxiliary[p], len(SAMPLES))) for p in range(3)]
-        pixels, box = self._frame(seen)
-        points = drawn(curve.points)
-        for p, text in enumerate(self._parabola_texts):
-            text.setPos(*drawn(curve.parabola(p, [self._free_place(p)]))[0])
+        curve, plane = self._curve, self._plane
         for k, text in enumerate(self._point_texts):
             html = self._point_html(k)
             if html != self._point_htmls[k]:  # it takes long to lay out
                 self._point_htmls[k] = html
                 text.setHtml(html)
-            text.setPos(*points[k])
-        sizes = np.array([_size(text) for text in self._point_texts])
-        taken = [(np.array(text.pos().toTuple()) * pixels, _size(text)) for text in self._parabola_texts]
-        before, after = points[[0, 0, 1, 2, 3]], points[[1, 2, 3, 4, 4]]
-        centres = place_labels(
-            points * pixels,
-            sizes,
-            (points - (before + after) / 2) * pixels,
-            np.concatenate([seen, drawn(np.concatenate(beyond)), np.repeat(points, DISC, axis=0)]) * pixels,
-            gap=_RING / 2,
-            box=box,
-            taken=np.array(taken),
-        )
-        for text, centre, point, size in zip(self._point_texts, centres, points, sizes, strict=True):
-            across, up = (centre - point * pixels) / size
+        texts = self._point_texts + self._parabola_texts
+        sizes = np.array([text.textItem.boundingRect().size().toTuple() for text in texts])
+        pixels, box = self._frame(seen_points(curve, plane))
+        to_pixels = pixels.__mul__
+        places = named_places(curve, plane, to_pixels)
+        centres = name_centres(curve, plane, to_pixels, sizes, gap=_RING / 2, box=box)
+        for text, place, (across, up) in zip(texts, places, (centres - places * pixels) / sizes, strict=True):
+            text.setPos(*place)
             text.setAnchor((0.5 - across, 0.5 + up))
 
     def _frame(self, seen: Array) -> tuple[Array, Array]:
@@ -158,16 +140,6 @@ class GeometryPlot(Plot):
         pixels = np.array([self.view_box.width(), self.view_box.height()]) / span
         middle = (low + high) / 2
         return pixels, np.array([middle - span / 2, middle + span / 2]) * pixels
-
-    def _free_place(self, p: int) -> float:
-        """Return where on its own parabola a label is out of the curve's way."""
-        r, _, t = self._curve.internal_knots
-        if p != 1:
-            return r / 2 if p == 0 else (1 + t) / 2
-        x = SAMPLES[10:-10]
-        line, own = self._plane.drawn(self._curve.at(SAMPLES)), self._plane.drawn(self._curve.parabola(1, x))
-        gaps = np.linalg.norm(own[:, None] - line[None], axis=2).min(axis=1)
-        return float(x[np.argmax(gaps)])
 
     def _point_html(self, k: int) -> str:
         name = coloured(f"<b>{symbol_html('P', k)}</b>", self.colours.series[k])
@@ -181,11 +153,6 @@ class GeometryPlot(Plot):
     def _on_resized(self) -> None:
         if self._curve is not None:
             self._place_texts()
-
-
-def _size(text: pg.TextItem) -> tuple[float, float]:
-    """Return width and height of a label in pixels."""
-    return text.textItem.boundingRect().size().toTuple()
 
 
 def _set(line: object, points: Array) -> None:

@@ -8,7 +8,6 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.curve_functions import FunctionPlot
-from qovr_app.laboratory.plots import pen
 from qovr_app.panels.look import look
 from qovr_app.view3d.gestures import next_gesture
 from qovr_app.view3d.theme import Theme
@@ -63,15 +62,15 @@ class TransformationsPlot(FunctionPlot):
         warn = look().warn
         self._fold.setBrush(warn.red(), warn.green(), warn.blue(), _FOLD_ALPHA)
         for line in self._fold.lines:
-            line.setPen(pen(warn, 1))
+            line.setPen(self.pen(warn, 1))
         for limit in self._limits:
-            limit.setPen(pen(theme.axis, 1))
-        self._outside.setPen(pen(warn, 3))
+            limit.setPen(self.pen(theme.axis, 1))
+        self._outside.setPen(self.pen(warn, 3))
         for handle, colour in zip(self.handles.values(), self.series, strict=True):
             handle.setBrush(pg.mkBrush(theme.background))
-            handle.setPen(pen(colour, 2))
+            handle.setPen(self.pen(colour, 2))
             handle.setHoverBrush(pg.mkBrush(colour))
-            handle.setHoverPen(pen(theme.ink, 2))
+            handle.setHoverPen(self.pen(theme.ink, 2))
 
     def show_curve(self, curve: OneCurve) -> None:
         """Show the transformations of a curve."""

@@ -65,8 +65,17 @@ class Plot(pg.PlotWidget):
         self.setBackground(theme.background)
         for side in ("left", "bottom"):
             axis = self.getAxis(side)
-            axis.setPen(pen(theme.axis))
-            axis.setTextPen(pen(theme.quiet_ink))
+            axis.setPen(self.pen(theme.axis))
+            axis.setTextPen(self.pen(theme.quiet_ink))
+
+    def pen(self, colour: Rgb | QColor, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+        """Return a pen that is so many logical pixels wide at any scale of the plot."""
+        return pg.mkPen(colour, width=width * self.devicePixelRatioF(), style=style)
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.DevicePixelRatioChange:
+            self.show_theme(self.colours)
+        return super().event(event)
 
     def make_line(self, *, bounds: bool = True) -> pg.PlotCurveItem:
         """Return a new line in the plot; without ``bounds`` the plot's range does not follow it."""
@@ -136,11 +145,6 @@ class Captioned(QWidget):
             self._label.setText(text)
             if self._label.sizeHint().width() <= self.width():
                 return
-
-
-def pen(colour: Rgb | QColor, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
-    """Return a pen that is so many pixels wide at any scale of the plot."""
-    return pg.mkPen(colour, width=width, style=style)
 
 
 def coloured(html: str, colour: Rgb) -> str:

@@ -68,9 +68,14 @@ class Colouring:
         (n, m) float32, read-only
         """
         values, (low, high) = self.values(counts), self.limits
-        parts = (values - low) / (high - low) if high > low else np.where(np.isfinite(values), 0.5, np.nan)
-        parts = np.where(np.isnan(parts), UNDEFINED, np.clip(parts, -_FARTHEST, _FARTHEST))
-        return read_only(parts.astype(np.float32))
+        parts = np.subtract(values, low)
+        if high > low:
+            parts *= 1 / (high - low)
+        else:
+            parts[np.isfinite(parts)] = 0.5
+        result = np.clip(parts, -_FARTHEST, _FARTHEST).astype(np.float32)
+        result[np.isnan(result)] = UNDEFINED
+        return read_only(result)
 
     def colours(self, parts: Array, undefined: Rgb) -> npt.NDArray[np.uint8]:
         """Return red, green and blue (..., 3) of parts of the colours; ``undefined`` where there is no value."""

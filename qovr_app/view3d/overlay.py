@@ -22,7 +22,7 @@ from qovr_app.view3d.occlusion import Occluder
 from qovr_app.view3d.picture import Picture, has_colour_bar
 from qovr_app.view3d.readout import draw_readout
 from qovr_app.view3d.settings import Style
-from qovr_app.view3d.text import NORMAL, draw_text, plain
+from qovr_app.view3d.text import NORMAL, draw_text, plain, text_size
 from qovr_app.view3d.theme import Rgb
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE
@@ -37,8 +37,8 @@ _PIECES = 8
 """Pieces of a net or box edge: where the surface hides it is found to an eighth of its length."""
 
 _NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH, _RIVAL_WIDTH = 1.0, 1.8, 1.0, 1.2
-_LEGEND, _LEGEND_LINE = (14.0, 36.0), 22.0
-"""Where the legend of a surface drawn over another begins, in logical pixels, and how long its line is."""
+_LEGEND, _LEGEND_LINE, _LEGEND_GAP = (14.0, 20.0), 22.0, 20.0
+"""Where the legend of a surface drawn over another begins without a caption, its line, and its distance from one."""
 _HIDDEN = 0.3
 """Opacity of what the surface hides."""
 
@@ -161,6 +161,8 @@ def _draw_family(painter: QPainter, family: _Family, seen: Array, hidden: npt.ND
 def _draw_legend(painter: QPainter, picture: Picture) -> None:
     """Say whose lines lie over the surface."""
     theme, (x, y) = picture.theme, _LEGEND
+    if picture.caption:
+        x += text_size(plain(picture.caption), NORMAL)[0] + _LEGEND_GAP
     painter.setPen(QPen(QColor(*theme.rival), 2 * _RIVAL_WIDTH))
     painter.drawLine(QLineF(x, y, x + _LEGEND_LINE, y))
     text = plain(picture.scene.rival_name)

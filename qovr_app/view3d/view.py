@@ -161,7 +161,7 @@ class View3D(QWidget):
         """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
         if self._probed is None:
             return ""
-        return readout_text(reading_at(self.picture().scene, self._probed, self._settings.colour_by))
+        return readout_text(reading_at(self.picture(self._pointer[0]).scene, self._probed, self._settings.colour_by))
 
     def shown_range(self) -> tuple[str, Range]:
         """Return what the colours say, and the values at their ends; not numbers where there are none."""

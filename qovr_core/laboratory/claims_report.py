@@ -12,7 +12,7 @@ from qovr_core.laboratory.claims import Claim, Finding, Verdict
 _WIDTH = 110
 _INDENT = " " * 17
 _NOTED = Formulation.INTERPOLATING
-"""The README notes what was found for the surface that the paper's claims describe."""
+"""The README tells what is so instead for the surface that the paper's claims describe."""
 
 
 def by_claim(findings: Iterable[Finding]) -> Iterator[tuple[Claim, list[Finding]]]:
@@ -45,14 +45,11 @@ def _details(finding: Finding) -> Iterator[str]:
 
 def findings_markdown(findings: Iterable[Finding]) -> str:
     """Return the table "what the paper says, what is so" for GitHub; a number in brackets is the measured one."""
-    titles = ["the paper says", "where", "measured", *(f"`{formulation}`" for formulation in Formulation)]
+    titles = ["the paper says", "where", *(f"`{formulation}`" for formulation in Formulation)]
     rows = [titles, ["---"] * len(titles)]
     for claim, of_claim in by_claim(findings):
         cells = {finding.formulation: _cell(finding) for finding in of_claim}
-        noted = next(finding.here for finding in of_claim if finding.formulation is _NOTED)
-        if noted.note:
-            cells[_NOTED] += f"; {noted.note}"
-        rows.append([claim.text, claim.where, noted.what, *(cells[formulation] for formulation in Formulation)])
+        rows.append([claim.text, claim.where, *(cells[formulation] for formulation in Formulation)])
     return "\n".join(f"| {' | '.join(_escaped(cell) for cell in row)} |" for row in rows)
 
 
@@ -62,8 +59,9 @@ def _cell(finding: Finding) -> str:
         return f"{verdict} {finding.condition}"
     if finding.verdict is Verdict.FALSE:
         failing = finding.largest if finding.here.holds else finding.here.value
-        return f"{verdict} ({failing:.2g})"
-    return verdict
+        verdict += f" ({failing:.2g})"
+    is_told = finding.formulation is _NOTED and finding.here.note
+    return f"{verdict}; {finding.here.note}" if is_told and (finding.example or finding.counterexample) else verdict
 
 
 def _escaped(text: str) -> str:

@@ -10,9 +10,6 @@ from qovr_core.arrays import Array
 _NEAR = 0.15
 """Labels on two functions are closer than they may be within this part of the drawing both ways."""
 
-DISC = 25
-"""A disc is as much in a label's way as so many points of a line."""
-
 _SIDES = np.array([(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (0, 0)], dtype=np.float64)
 _REACHES = (1.0, 3.0)
 """A label is tried at its gap, and where that is crowded at this many gaps."""
@@ -27,7 +24,7 @@ def label_places(values: npt.ArrayLike) -> npt.NDArray[np.intp]:
 
     Parameters
     ----------
-    values : (n, k) the functions' values at n places
+    values : (n, k) the functions' values at n places; NaN where one is not in the drawing
 
     Returns
     -------
@@ -35,24 +32,31 @@ def label_places(values: npt.ArrayLike) -> npt.NDArray[np.intp]:
     """
     table = np.asarray(values, dtype=np.float64)
     count, functions = table.shape
-    margin, near = count // 10, _NEAR * np.array([count, np.ptp(table)])
+    extent = np.nanmax(table) - np.nanmin(table)
+    margin, near = count // 10, _NEAR * np.array([count, extent])
     apart = np.abs(table[:, :, None] - table[:, None, :])
     apart[:, np.arange(functions), np.arange(functions)] = np.inf
+    apart[np.isnan(apart)] = np.inf
     clear = apart.min(axis=2)
+    clear[np.isnan(table)] = -np.inf
     clear[:margin] = clear[count - margin :] = -np.inf
     places = np.zeros(functions, dtype=np.intp)
     for k in range(functions):
         for other in range(k):
             is_near = np.abs(np.arange(count) - places[other]) < near[0]
             is_near &= np.abs(table[:, k] - table[places[other], other]) < near[1]
-            clear[is_near, k] -= np.ptp(table)
+            clear[is_near, k] -= extent
         places[k] = np.argmax(clear[:, k])
     return places
 
 
-def place_labels(
-    places: Array, sizes: Array, wanted: Array, lines: Array, *, gap: float, box: Array, taken: Array
-) -> Array:
+def free_place(own: Array, others: Array) -> int:
+    """Return the number of the point on a line, (n, 2), that is farthest from all of some others, (m, 2)."""
+    gaps = np.linalg.norm(own[:, None] - others[None], axis=2).min(axis=1)
+    return int(np.argmax(gaps))
+
+
+def place_labels(places: Array, sizes: Array, wanted: Array, lines: Array, *, gap: float, box: Array) -> Array:
     """Return where the centres of labels lie: beside their places, clear of lines and of each other.
 
     Parameters
@@ -63,14 +67,13 @@ def place_labels(
     lines : (n, 2) points of the lines to keep clear of
     gap : between a place and its label
     box : (2, 2) the drawing's lower left and upper right corner
-    taken : (m, 2, 2) centres and sizes of the labels that have their places already
 
     Returns
     -------
     (k, 2) float64
     """
     centres = np.empty_like(places)
-    others = list(taken)
+    others: list[Array] = []
     for k, (place, size) in enumerate(zip(places, sizes, strict=True)):
         tried = np.concatenate([place + _SIDES * (size / 2 + reach * gap) for reach in _REACHES])
         cost = np.repeat([0.0, _FARTHER], len(_SIDES)) + np.tile(_TURNED * _turn(wanted[k]), len(_REACHES))

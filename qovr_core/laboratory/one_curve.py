@@ -133,6 +133,12 @@ class OneCurve:
         beyond_the_middle = (turn, 0.0) if turn <= 0 else (1.0, turn)
         return (1.0, float(r[1])), beyond_the_middle, (float(t[0]), 0.0)
 
+    def free_part(self, p: int) -> Array:
+        """Return values of the parameter of Q_p where its name has room: Q_0 before P_1, Q_2 behind P_3, all of Q_1."""
+        r, _, t = self.internal_knots
+        first, last = ((0.0, r), (0.0, 1.0), (t, 1.0))[p]
+        return read_only(first + (last - first) * SAMPLES[16:-16])
+
     @property
     def fold_back(self) -> FoldBack | None:
         """Where s(u) turns round; None where it is monotone."""

@@ -172,7 +172,9 @@ def test_one_curve_of_a_document_is_drawn_with_its_weights(s, view):
     assert ("$s$ runs back" in lines_of(curve_axes)) == (s == 0.9)
     for axes, values in ((blends, curve.blends), (weights, curve.weights), (places, curve.transformed)):
         shown = np.array([line.get_ydata() for line in axes.lines if len(line.get_ydata()) == len(SAMPLES)])
-        assert pytest.approx(values(SAMPLES)) == shown.T
+        is_seen = np.isfinite(shown.T)  # r and t run out of the drawing
+        assert shown.T[is_seen] == pytest.approx(values(SAMPLES)[is_seen])
+        assert is_seen.mean() > 0.9
     if view in (View.BEST, View.YZ):  # the others show this column from its edge, where all lies on one line
         assert names_touch_nothing(figure, curve_axes)
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from qovr_core.laboratory.labels import label_places, place_labels
+from qovr_core.laboratory.labels import free_place, label_places, place_labels
 
 
 def test_labels_stand_apart():
@@ -17,13 +17,27 @@ def test_labels_stand_apart():
     assert abs(first - second) >= 12
 
 
+def test_labels_stay_where_their_function_is_in_the_drawing():
+    x = np.linspace(0, 1, 101)
+    steep = np.where(x < 0.4, 1 + 5 * x, np.nan)
+    first, second = label_places(np.stack([steep, x], axis=1))
+    assert 10 <= first < 40
+    assert 10 <= second < 91
+
+
+def test_the_free_place_is_the_one_farthest_away():
+    line = np.stack([np.linspace(0, 10, 11), np.zeros(11)], axis=1)
+    assert free_place(line, np.array([[0.0, 0.0], [10.0, 0.0]])) == 5
+    assert free_place(line, np.array([[9.0, 1.0]])) == 0
+
+
 BOX = np.array([[0.0, 0.0], [300.0, 200.0]])
 NONE = np.empty((0, 2))
 
 
-def placed(places, sizes, wanted, lines=NONE, taken=()):
+def placed(places, sizes, wanted, lines=NONE):
     arrays = (np.array(values, dtype=float) for values in (places, sizes, wanted))
-    return place_labels(*arrays, lines, gap=4.0, box=BOX, taken=np.array(taken).reshape(-1, 2, 2))
+    return place_labels(*arrays, lines, gap=4.0, box=BOX)
 
 
 def overlap(centre, size, other_centre, other_size):
@@ -40,9 +54,8 @@ def test_a_label_goes_where_it_is_wanted_unless_a_line_is_there():
 
 def test_labels_keep_off_each_other_and_inside():
     places, size = [(25, 190), (45, 190), (75, 190)], (30, 12)
-    centres = placed(places, [size] * 3, [(0, 1)] * 3, taken=[((60, 175), (30, 12))])
+    centres = placed(places, [size] * 3, [(0, 1)] * 3)
     for k in range(3):
         assert (centres[k] - np.array(size) / 2 >= BOX[0]).all()
         assert (centres[k] + np.array(size) / 2 <= BOX[1]).all()
-        assert not overlap(centres[k], size, np.array([60, 175]), (30, 12))
         assert not any(overlap(centres[k], size, centres[other], size) for other in range(k))

@@ -1,10 +1,13 @@
 """Another surface of the same control net beside the document's own, or over it."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QImage
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QImage, QMouseEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from qovr_app.view3d.figure import FigureOptions
 from qovr_app.view3d.rival import Rival
@@ -152,3 +155,21 @@ def test_every_style_draws_it(make_view, document, style):
     image = view.viewports[1].image()
     background = np.array(view.picture().theme.background)
     assert near(image, background, 8) < 0.9 * image.width() * image.height()
+
+
+def test_the_probe_reads_the_surface_under_it(owner, spin):
+    view = owner.view
+    view.set_settings(replace(view.settings, probe=True))
+    view.set_rival(rival(Placement.BESIDE))
+    spin(20)
+    viewport, scene = view.viewports[1], view.picture(1).scene
+    x, y, _ = view.camera.project(scene.patch.points([0.1], [0.1])[0, 0], viewport.logical_size)
+    at = QPointF(x, y)
+    kind, button = QEvent.Type.MouseMove, Qt.MouseButton.NoButton
+    move = QMouseEvent(kind, at, viewport.mapToGlobal(at), button, button, Qt.KeyboardModifier.NoModifier)
+    QApplication.sendEvent(viewport, move)
+    said = dict(line.split("\t", 1) for line in view.probe_text().splitlines())
+    u, v = map(float, said["u, v"].split("\t"))
+    point = [float(number) for number in said["x, y, z"].split("\t")]
+    np.testing.assert_allclose(point, b_spline(owner.document.control_points).points([u], [v])[0, 0], atol=1e-12)
+    assert float(said["distance"]) == pytest.approx(closest_points(view.picture(0).scene.surface, [point]).distance[0])
