@@ -1,4 +1,4 @@
-"""Evaluation of a tensor-product polynomial on a grid of parameters: the one place where speed is won.
+"""Evaluation of a tensor-product polynomial, mostly on a grid of parameters: the one place where speed is won.
 
 A grid of n x m points is one product of an (n, degree + 1) basis with a (degree + 1, 3 m) table, which writes
 the points in their final order. Blocks of rows that fit a core's cache keep the product, and a box taken at
@@ -76,6 +76,29 @@ def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
 
     _over_rows(n, flat.itemsize * m * d, work)
     return points
+
+
+def evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
+    """Return the values of a tensor-product polynomial at k places.
+
+    Parameters
+    ----------
+    coefficients : (a, b, d)
+    basis_u, basis_v : (k, a) and (k, b), one row a place
+
+    Returns
+    -------
+    (k, d) float64
+    """
+    a, b, d = coefficients.shape
+    table = coefficients.reshape(a, b * d)
+    values = np.empty((len(basis_u), d))
+    step = max(1, BLOCK_BYTES // (table.itemsize * b * d))
+    for k in range(0, len(values), step):
+        places = slice(k, k + step)
+        along_v = (basis_u[places] @ table).reshape(-1, b, d)
+        np.einsum("kb,kbd->kd", basis_v[places], along_v, out=values[places])
+    return values
 
 
 def evaluate_with_box(coefficients: Array, basis_u: Array, basis_v: Array) -> tuple[Array, Array]:

@@ -120,8 +120,7 @@ class Patch:
         coefficients = self._differentiated(order_u, order_v)
         basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
         basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
-        along_v = np.tensordot(basis_u, coefficients, axes=1)
-        return read_only(np.einsum("kb,kbd->kd", basis_v, along_v))
+        return read_only(grid.evaluate_scattered(coefficients, basis_u, basis_v))
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""

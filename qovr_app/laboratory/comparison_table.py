@@ -58,8 +58,9 @@ class ComparisonTable(QTableWidget):
 
     def set_old(self) -> None:
         """Mark everything shown as measured on the document before."""
-        self._new.clear()
-        self.refresh_colours()
+        if self._new:
+            self._new.clear()
+            self.refresh_colours()
 
     def clear_measures(self) -> None:
         """Take all numbers away."""

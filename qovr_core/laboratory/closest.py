@@ -16,6 +16,9 @@ _SEED_SAMPLES = 65
 
 _CELL = 1 / (_SEED_SAMPLES - 1)
 
+_BESIDE = 1.5 * _CELL
+"""Parameters no further apart than this in u and v are taken to lead to one foot."""
+
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
 
@@ -74,18 +77,16 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     seeds = _seed_grid(surface)
     distance, nearest = cKDTree(seeds.points).query(targets, _NEIGHBOURS)
     best = _descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
-    rivals = _rivals(seeds, targets, distance, nearest, best.at)
-    while True:
-        rivals = rivals.of(rivals.promise < best.distance[rivals.target])
-        if rivals.target.size == 0:
-            break
+    rivals = _rivals(seeds, targets, distance, nearest, best)
+    while rivals.target.size:
         rows, first = np.unique(rivals.target, return_index=True)
         start = seeds.at[rivals.sample[first]]
         other = _descend(surface, start, targets[rows], seeds.last_step)
         best.improve(rows, other)
         place = np.searchsorted(rows, rivals.target)
         at = seeds.at[rivals.sample]
-        rivals = rivals.of(_apart(at, start[place]) & _apart(at, other.at[place]))
+        is_new = _apart(at, start[place]) & _apart(at, other.at[place])
+        rivals = rivals.of(is_new & (rivals.promise < best.distance[rivals.target]))
     u, v = best.at.T.copy()
     return Closest(*map(read_only, (u, v, best.feet, best.distance)))
 
@@ -125,20 +126,20 @@ class _Rivals:
         return _Rivals(self.target[wanted], self.sample[wanted], self.promise[wanted])
 
 
-def _rivals(seeds: _Seeds, targets: Array, distance: Array, nearest: Indices, feet_at: Array) -> _Rivals:
-    """Return the nearest samples that do not lie beside the foot already found."""
-    target, rank = np.nonzero(_apart(seeds.at[nearest], feet_at[:, None]))
+def _rivals(seeds: _Seeds, targets: Array, distance: Array, nearest: Indices, best: _Feet) -> _Rivals:
+    """Return the nearest samples that do not lie beside the foot already found, and may lead to a nearer one."""
+    target, rank = np.nonzero(_apart(seeds.at[nearest], best.at[:, None]))
     sample, far = nearest[target, rank], distance[target, rank]
     direction = (seeds.points[sample] - targets[target]) / np.where(far > 0, far, 1.0)[:, None]
     gain = np.abs(np.einsum("kpd,kd->kp", seeds.tangents[sample], direction)).sum(axis=1) * (_CELL / 2)
-    promise = far - gain
-    order = np.lexsort((promise, target))
-    return _Rivals(target, sample, promise).of(order)
+    rivals = _Rivals(target, sample, far - gain)
+    rivals = rivals.of(rivals.promise < best.distance[target])
+    return rivals.of(np.lexsort((rivals.promise, rivals.target)))
 
 
 def _apart(a: Array, b: Array) -> Flags:
-    """Return which parameters, (..., 2), are more than a cell apart, beyond rounding."""
-    apart: Flags = np.abs(a - b).max(axis=-1) > 1.001 * _CELL
+    """Return which parameters, (..., 2), are so far apart that they need not lead to one foot."""
+    apart: Flags = np.abs(a - b).max(axis=-1) > _BESIDE
     return apart
 
 

@@ -153,7 +153,7 @@ def comparison_text(comparison: Comparison) -> str:
     lines = [
         motion_text(trial),
         f"QOVR is the {document.formulation} surface, {default_layer(document)}. Lengths are in the net's units.",
-        "Areas move by more than 1 % and 10 % of the largest displacement; jumps are those at interior joints.",
+        "Areas move by more than 1 % and 10 % of the largest displacement; jumps are at interior joints.",
         "",
         " " * widest + "".join(f"{NAMES[contender]:>13}" for contender in comparison.measures),
     ]

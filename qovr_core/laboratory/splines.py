@@ -102,7 +102,7 @@ class TensorSurface:
 
     def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S at scattered parameters (k,) and (k,), (k, 3), as ``derivative`` does."""
-        return self._evaluated(u, v, order_u, order_v, _evaluate_scattered)
+        return self._evaluated(u, v, order_u, order_v, grid.evaluate_scattered)
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""
@@ -191,13 +191,6 @@ def _checked_weights(weights: npt.ArrayLike) -> Array:
     if not (np.isfinite(checked) & (checked > 0)).all():
         raise ValueError("a weight is not positive and finite; expected positive weights")
     return read_only(checked)
-
-
-def _evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
-    """Return a tensor-product function at scattered parameters, (k, d), from bases (k, 5) and (k, 5)."""
-    along_v = np.tensordot(basis_u, coefficients, axes=1)
-    values: Array = np.einsum("kb,kbd->kd", basis_v, along_v)
-    return values
 
 
 def _quotient_derivative(lifted: list[list[Array]]) -> Array:

@@ -1,0 +1,57 @@
+"""The comparison: the closest points, all measures, the longest piece the editor waits for, and the command."""
+
+import itertools
+import statistics
+import time
+
+import numpy as np
+import pytest
+
+from qovr_core import align_patch
+from qovr_core.laboratory.closest import closest_points
+from qovr_core.laboratory.comparison import Trial, comparison_steps
+from qovr_core.laboratory.splines import b_spline
+from qovr_core.pipeline import parameters
+from qovr_core.presets import preset
+from support.command import qovr
+
+from .conftest import MEDIANS
+
+RUNS = 10
+LONGEST_SEARCH = 0.1
+"""Seconds for the 10,201 points of the paper's grid."""
+
+LONGEST_STEP = 50.0
+"""Milliseconds: taken only when nobody has changed anything for a third of a second."""
+
+LONGEST_COMMAND = 2.0
+"""Seconds, the interpreter's start included."""
+
+
+def test_closest_points(measure, row):
+    document = preset("fig8").document
+    patch, grid = align_patch(document).transformed_patch, parameters(101)
+    points = b_spline(document.control_points).points(grid, grid).reshape(-1, 3)
+    measure("closest points", 101, lambda: closest_points(patch, points))
+    row("closest points: part of 0.1 s", 101, MEDIANS["closest points", 101] / LONGEST_SEARCH, at_most=1)
+
+
+@pytest.mark.parametrize("name", ["fig5", "fig6c", "fig8"])
+def test_steps(row, name):
+    longest, total = [], []
+    for _ in range(RUNS):
+        steps = comparison_steps(Trial(preset(name).document))
+        times = np.array([time.perf_counter(), *(time.perf_counter() for _ in steps)])
+        longest.append(1e3 * max(after - before for before, after in itertools.pairwise(times)))
+        total.append(1e3 * (times[-1] - times[0]))
+    row("longest step of compare, ms", name, statistics.median(longest), at_most=LONGEST_STEP)
+    row("compare, ms", name, statistics.median(total))
+
+
+def test_command(row):
+    seconds = []
+    for _ in range(5):
+        start = time.perf_counter()
+        assert qovr("compare", "paper:fig5").code == 0
+        seconds.append(time.perf_counter() - start)
+    row("qovr compare paper:fig5, s", "fig5", statistics.median(seconds), at_most=LONGEST_COMMAND)
