@@ -7,7 +7,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPointF, Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLabel, QSpinBox
@@ -17,6 +17,10 @@ from qovr_app.view3d.settings import ThemeName
 from qovr_core import Formulation, curve_network
 from qovr_core.edits import Direction, KnotPlace, set_values
 from qovr_core.laboratory.one_curve import SAMPLES, curve_of
+from support.editor import wait_until
+
+_BETWEEN_MOVES = 20
+"""Milliseconds; the plots take no more than a hundred moves of the mouse in a second."""
 
 
 @pytest.fixture
@@ -49,6 +53,7 @@ def drag(panel, handle, moves):
     QTest.mousePress(plot.viewport(), Qt.MouseButton.LeftButton, pos=at)
     for move in moves:
         at += move
+        QTest.qWait(_BETWEEN_MOVES)
         QTest.mouseMove(plot.viewport(), at)
         panel.editor.settle()
     QTest.mouseRelease(plot.viewport(), Qt.MouseButton.LeftButton, pos=at)
@@ -114,8 +119,6 @@ def test_the_curve_is_the_one_the_formulation_computes(panel):
 def test_a_handle_drags_its_knot_live_and_as_one_step(panel):
     editor = panel.editor
     before = editor.document
-    from PySide6.QtCore import QPoint
-
     drag(panel, "r", [QPoint(0, -8)] * 4)
     knots = editor.document.row_knots
     assert {curve.r for curve in knots} == {knots[0].r}  # the curves are linked
@@ -139,8 +142,6 @@ def test_a_handle_drags_its_knot_live_and_as_one_step(panel):
 
 
 def test_a_handle_respects_the_links_and_staged_edits(panel):
-    from PySide6.QtCore import QPoint
-
     editor = panel.editor
     editor.trigger("link_curves")
     drag(panel, "r", [QPoint(0, -10)] * 2)
@@ -169,10 +170,19 @@ def test_the_fold_back_is_marked(panel):
 
 def test_hovering_says_the_values(panel):
     plot = plot_of(panel, "weights")
-    QTest.mouseMove(plot.viewport(), pixel_of(plot, 0.25, 0.5))
-    panel.editor.settle()
-    u = float(re.search(r"u = (\d\.\d+)", " ".join(caption(panel, "geometry").split()))[1])
-    assert u == pytest.approx(0.25, abs=0.01)
+
+    def read():
+        found = re.search(r"u = (\d\.\d+)", " ".join(caption(panel, "geometry").split()))
+        return found and float(found[1])
+
+    def is_read():
+        for x in (0.2, 0.25):
+            QTest.qWait(_BETWEEN_MOVES)
+            QTest.mouseMove(plot.viewport(), pixel_of(plot, x, 0.5))
+        return read() == pytest.approx(0.25, abs=0.01)
+
+    wait_until(is_read)
+    u = read()
     values = {name: re.findall(r"[−\d]\d*\.\d+", caption(panel, name)) for name in ("blends", "weights")}
     numbers = {name: [float(text.replace("−", "-")) for text in texts] for name, texts in values.items()}
     assert numbers["blends"] == pytest.approx(panel.curve.blends([u])[0], abs=6e-3)
