@@ -18,7 +18,6 @@ from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, Point
 from qovr_core.pipeline import default_layer
 
 _STEP = 0.01
-_COPY_TIP = "Copy all numbers and the envelope, tab separated"
 _FIELD_WIDTH = 76
 _FIRST_AXIS = 2
 """The heights are what the paper moves."""
