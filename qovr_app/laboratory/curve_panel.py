@@ -202,9 +202,7 @@ class CurvePanel(LaboratoryPanel):
         x, y, z = (number_text(round(value, 4)) for value in curve.at([u])[0].tolist())
         self._captions[self._geometry].say(f"<i>{curve.parameter}</i> = {u:.3f}&nbsp;&nbsp; {x}, {y}, {z}")
         for plot, values in zip(self._functions, (curve.blends, curve.weights, curve.transformed), strict=True):
-            legends = (
-                plot.legend(values([u])[0], **how) for how in ({}, {"decimals": 2}, {"decimals": 2, "named": False})
-            )
+            legends = (plot.legend(values([u])[0], **how) for how in _LEGENDS)
             self._captions[plot].say(*("&nbsp; ".join(legend) for legend in legends))
 
     def _what_it_is(self) -> tuple[str, ...]:

@@ -8,6 +8,8 @@ from typing import Any
 
 from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
 from qovr_core.files import read_source
+from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT, compare
+from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
 
 
 def add_command(commands: Any) -> None:
@@ -19,26 +21,22 @@ def add_command(commands: Any) -> None:
         "--point",
         type=_point,
         metavar="I,J",
-        default=(2, 2),
-        help="the control point that moves, row and column from 0 to 4 (default: 2,2)",
+        default=DEFAULT_POINT,
+        help="the control point that moves, row and column from 0 to 4 (default: {},{})".format(*DEFAULT_POINT),
     )
     command.add_argument(
         "--weight",
         type=_weight,
         metavar="W",
-        default=4.0,
-        help="its weight in the NURBS surface; all others have 1 (default: 4)",
+        default=DEFAULT_WEIGHT,
+        help=f"its weight in the NURBS surface; all others have 1 (default: {DEFAULT_WEIGHT:g})",
     )
     command.add_argument("--json", action="store_true")
     command.set_defaults(command=_compare)
 
 
 def _compare(arguments: argparse.Namespace) -> int:
-    document = read_source(arguments.source)
-    from qovr_core.laboratory.comparison import compare
-    from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
-
-    comparison = compare(document, arguments.point, arguments.weight)
+    comparison = compare(read_source(arguments.source), arguments.point, arguments.weight)
     if arguments.json:
         print_json(comparison_facts(comparison))
     else:

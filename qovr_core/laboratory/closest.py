@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import numpy.typing as npt
-from scipy.spatial import cKDTree
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.differential import ParametricSurface
@@ -22,7 +21,7 @@ _BESIDE = 1.5 * _CELL
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
 
-_LAST_STEP = 1e-7
+_LAST_STEP = 1e-8
 """A step shorter than this part of the surface's size leaves an error of about its square, which is rounding."""
 
 _MOST_STEPS = 60
@@ -33,6 +32,9 @@ _MOST_HALVINGS = 40
 
 _LEAST_CURVATURE = 1e-6
 """The Hessian's smaller eigenvalue is raised to this part of |S_u|^2 + |S_v|^2, where the distance is not convex."""
+
+_ROUNDING = 1e-12
+"""It is raised to this part of the Hessian at least: with less, rounding could make the determinant 0."""
 
 Indices = npt.NDArray[np.intp]
 Flags = npt.NDArray[np.bool_]
@@ -71,6 +73,8 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     ------
     ValueError : the points have another shape
     """
+    from scipy.spatial import cKDTree
+
     targets = np.asarray(points, dtype=np.float64)
     if targets.ndim != 2 or targets.shape[1] != 3:
         raise ValueError(f"points have shape {targets.shape}; expected (k, 3)")
@@ -199,7 +203,8 @@ def _bounded_steps(at: Array, gradient: Array, diagonal: Array, mixed: Array) ->
     gradient = np.where(held, 0.0, gradient)
     mixed = np.where(held.any(axis=1), 0.0, mixed)
     smaller_eigenvalue = diagonal.mean(axis=1) - np.hypot(np.diff(diagonal, axis=1)[:, 0] / 2, mixed)
-    diagonal = diagonal + np.maximum(_LEAST_CURVATURE - smaller_eigenvalue, 0.0)[:, None]
+    least = np.maximum(_LEAST_CURVATURE, _ROUNDING * np.abs(diagonal).sum(axis=1))
+    diagonal = diagonal + np.maximum(least - smaller_eigenvalue, 0.0)[:, None]
     determinant = diagonal[:, 0] * diagonal[:, 1] - mixed**2
     step = (mixed[:, None] * gradient[:, ::-1] - diagonal[:, ::-1] * gradient) / determinant[:, None]
     alone = _leaves(at, step).any(axis=1)

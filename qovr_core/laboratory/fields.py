@@ -10,6 +10,7 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.differential import ParametricSurface
+from qovr_core.laboratory.closest import closest_points
 
 ROBUST_PERCENTILES = (2.0, 98.0)
 """Between these lies what a robust range shows: a few samples beside a singular point do not bleach the rest."""
@@ -98,8 +99,6 @@ def field_values(
 
 
 def _distances(points: Array, reference: ParametricSurface) -> Array:
-    from qovr_core.laboratory.closest import closest_points  # which loads SciPy
-
     return read_only(closest_points(reference, points.reshape(-1, 3)).distance.reshape(points.shape[:2]))
 
 

@@ -10,7 +10,6 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from scipy.interpolate import BSpline, CubicHermiteSpline
 
 from qovr_core import differential, grid
 from qovr_core.arrays import Array, read_only
@@ -162,6 +161,8 @@ def catmull_rom(net: npt.ArrayLike) -> TensorSurface:
 @cache
 def _b_spline_basis(degree: int) -> Basis:
     """Return the five B-splines of a degree over clamped uniform knots; of degree 4 they are Bernstein's."""
+    from scipy.interpolate import BSpline
+
     breaks = np.linspace(0.0, 1.0, NET_SIZE - degree + 1)[1:-1]
     knots = np.concatenate([np.zeros(degree + 1), breaks, np.ones(degree + 1)])
     return _basis(BSpline(knots, np.eye(NET_SIZE), degree), breaks)
@@ -170,6 +171,8 @@ def _b_spline_basis(degree: int) -> Basis:
 @cache
 def _catmull_rom_basis() -> Basis:
     """Return the cardinal functions of P_0..P_4: P_1, P_2, P_3 are met at 0, 1/2, 1, half the chord is the tangent."""
+    from scipy.interpolate import CubicHermiteSpline
+
     unit = np.eye(NET_SIZE)
     pieces = 2
     tangents = pieces * (unit[2:] - unit[:-2]) / 2

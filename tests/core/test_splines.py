@@ -34,7 +34,7 @@ def splipy_surface(net, weights=None):
 
 
 @given(seeds)
-@settings(max_examples=20)
+@settings(max_examples=20, deadline=None)
 def test_bezier_is_the_bernstein_sum(seed):
     net = random_net(seed)
     expected = np.einsum("uj,vi,ijd->uvd", bernstein.basis(4, U), bernstein.basis(4, V), net)
@@ -42,7 +42,7 @@ def test_bezier_is_the_bernstein_sum(seed):
 
 
 @given(seeds)
-@settings(max_examples=20)
+@settings(max_examples=20, deadline=None)
 def test_catmull_rom_is_the_cubic_of_its_matrix(seed):
     """Between P_1 and P_2 the curve is 1/2 [1 t t^2 t^3] M [P_0 P_1 P_2 P_3], and so on each way."""
     net = random_net(seed)
@@ -58,7 +58,7 @@ def test_catmull_rom_is_the_cubic_of_its_matrix(seed):
 
 
 @given(seeds)
-@settings(max_examples=20)
+@settings(max_examples=20, deadline=None)
 def test_catmull_rom_runs_through_the_inner_nine_points(seed):
     net = random_net(seed)
     assert catmull_rom(net).points([0, 0.5, 1], [0, 0.5, 1]) == pytest.approx(
