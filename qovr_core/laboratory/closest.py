@@ -18,6 +18,9 @@ _CELL = 1 / (_SEED_SAMPLES - 1)
 _BESIDE = 1.5 * _CELL
 """Parameters no further apart than this in u and v are taken to lead to one foot."""
 
+_LARGEST = 1e100
+"""Coordinates beyond this are measured in units of their own: their squares, or their derivatives', could overflow."""
+
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
 
@@ -79,6 +82,10 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     if targets.ndim != 2 or targets.shape[1] != 3:
         raise ValueError(f"points have shape {targets.shape}; expected (k, 3)")
     seeds = _seed_grid(surface)
+    size = max(np.abs(seeds.points).max(), np.abs(targets).max(initial=0.0))
+    if size > _LARGEST:
+        found = closest_points(surface.transformed(np.diag([1, 1, 1, size]) / size), targets / size)
+        return Closest(found.u, found.v, read_only(found.points * size), read_only(found.distance * size))
     distance, nearest = cKDTree(seeds.points).query(targets, _NEIGHBOURS)
     best = _descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
     rivals = _rivals(seeds, targets, distance, nearest, best)
@@ -111,7 +118,8 @@ def _seed_grid(surface: ParametricSurface) -> _Seeds:
     points, su, sv = (
         surface.derivative(parameters, parameters, *order).reshape(-1, 3) for order in ((0, 0), (1, 0), (0, 1))
     )
-    size = float(np.linalg.norm(np.ptp(points, axis=0)))
+    with np.errstate(over="ignore"):  # so large a surface is searched again in other units
+        size = float(np.linalg.norm(np.ptp(points, axis=0)))
     return _Seeds(at, points, np.stack([su, sv], axis=1), _LAST_STEP * size)
 
 
