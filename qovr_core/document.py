@@ -58,6 +58,11 @@ class Document:
         replace(self, "formulation", Formulation(checked_choice(self.formulation, "formulation", Formulation)))
         replace(self, "samples", _checked_counts(self.samples))
 
+    @property
+    def net_size(self) -> float:
+        """The size of the net: the diagonal of the control points' box."""
+        return float(np.linalg.norm(np.ptp(self.control_points, axis=(0, 1))))
+
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Document):
             return NotImplemented

@@ -14,7 +14,7 @@ from qovr_app.panels.symbols import AXES, CURVE_LETTERS, knot_letter, label, sym
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
 from qovr_core.edits import KnotPlace, value_at
-from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount, net_size
+from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount
 from qovr_core.pipeline import default_layer
 
 _STEP = 0.01
@@ -123,7 +123,7 @@ class ChangeBar(QWidget):
             return self._typed[is_knot]
         if is_knot:
             return default_amount(self._document, self._focus)
-        return float(f"{DEFAULT_PART * net_size(self._document):.2g}") or DEFAULT_PART
+        return float(f"{DEFAULT_PART * self._document.net_size:.2g}") or DEFAULT_PART
 
     def _check(self, value: object, name: str) -> float:
         amount = checked_number(value, name)

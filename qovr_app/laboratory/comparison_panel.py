@@ -165,7 +165,7 @@ class ComparisonPanel(LaboratoryPanel):
         if found is None:
             return
         contender, self._measures[contender] = found
-        self._table.show_measures(*found, self._trial.net_size)
+        self._table.show_measures(*found, self._trial.document.net_size)
         if self.is_current:
             self._stop()
             self._state.setText(f"{_motion_html(self._trial)} Lengths are in the net's units.")

@@ -148,7 +148,7 @@ def motion_text(trial: Trial) -> str:
 def comparison_text(comparison: Comparison) -> str:
     """Return the table for people, at most 100 columns wide."""
     trial = comparison.trial
-    document, size = trial.document, trial.net_size
+    document, size = trial.document, trial.document.net_size
     widest = max(len(row.label) for row in ROWS)
     lines = [
         motion_text(trial),
@@ -181,7 +181,7 @@ def comparison_facts(comparison: Comparison) -> dict[str, Any]:
         "layer": str(default_layer(trial.document)),
         "point": list(trial.point),
         "weight": trial.weight,
-        "net_size": trial.net_size,
+        "net_size": trial.document.net_size,
         "step": trial.step,
         "surfaces": {str(contender): _facts(measures) for contender, measures in comparison.measures.items()},
     }
@@ -190,9 +190,9 @@ def comparison_facts(comparison: Comparison) -> dict[str, Any]:
 def _facts(measures: Measures) -> dict[str, Any]:
     joints = measures.joints
     return {
-        "largest_displacement": measures.largest_motion,
+        "largest_displacement": _finite(measures.largest_motion),
         "area_moved": {f"{share:g}": _finite(part) for share, part in zip(SHARES, measures.shares, strict=True)},
-        "edge_motion": {str(edge): motion for edge, motion in measures.edge_motion.items()},
+        "edge_motion": {str(edge): _finite(motion) for edge, motion in measures.edge_motion.items()},
         "corner_motion": measures.corner_motion.tolist(),
         "distance_from_inner_points": measures.distance_from_points,
         "tangent_jump_degrees": None if joints is None else joints.tangent,

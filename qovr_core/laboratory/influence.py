@@ -117,12 +117,6 @@ class Influence:
     falloff: Falloff | None
 
 
-def net_size(document: Document) -> float:
-    """Return the diagonal of the box of the control points."""
-    net = document.control_points.reshape(-1, 3)
-    return float(np.linalg.norm(np.ptp(net, axis=0)))
-
-
 def default_amount(document: Document, place: KnotPlace) -> float:
     """Return by how much to change a knot where nothing else is asked: 0.1, downward where 1 is too near."""
     return DEFAULT_PART if value_at(document, place) + DEFAULT_PART < 1 else -DEFAULT_PART

@@ -147,13 +147,12 @@ def knot_moves(document: Document) -> KnotMoves:
     scale, shift = _alignments(boxes, net)
     aligned = edges * scale[:, None, None] + shift[:, None, None]
     aligned_noise = ROUNDING * (largest(scale * np.abs(boxes).max(axis=-1)) + largest(shift))
-    net_size = float(np.ptp(net, axis=(0, 1)).max())
     return KnotMoves(
         curve=curve,
         has_effect=np.abs(moved - before).max(axis=(1, 2, 3)) > noise,
         box_keeps=np.abs(boxes[1:] - boxes[0]).max(axis=(1, 2)) <= noise,
         raw=_motion(edges, size, noise),
-        transformed=_motion(aligned, net_size, aligned_noise),
+        transformed=_motion(aligned, document.net_size, aligned_noise),
     )
 
 

@@ -21,7 +21,7 @@ _SHIFT = 2
 """Neighbours share three columns (rows): the second begins two further on."""
 
 _DRAWN = 0.25
-"""Drawn points leave the affine continuation by up to this part of the net's size."""
+"""Drawn points leave the affine continuation by up to this part of the net's longest side."""
 
 _ORDERS = 3
 """Position, first and second cross derivative."""

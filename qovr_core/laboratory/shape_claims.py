@@ -68,7 +68,7 @@ def point_displacements(document: Document) -> Array:
     (25, n, n) lengths, points i-major, indexed [iu, iv] on 21 x 21 parameters from 0 to 1
     """
     net = document.control_points
-    step = POINT_STEP * (np.ptp(net, axis=(0, 1)).max() or 1.0) / np.sqrt(3)
+    step = POINT_STEP * (document.net_size or 1.0) / np.sqrt(3)
     nets = np.repeat(net[None], NET_SIZE**2, axis=0)
     nets[range(NET_SIZE**2), *np.divmod(np.arange(NET_SIZE**2), NET_SIZE)] += step
     rows, columns = knot_array(document.row_knots), knot_array(document.column_knots)
@@ -194,10 +194,9 @@ def boxes(document: Document) -> Measurement:
     difference = largest(box - aligned.control_box)
     scale, shift = aligned.matrix.diagonal()[:3], aligned.matrix[:3, 3]
     noise = ROUNDING * (largest(scale[:, None] * aligned.raw_box) + largest(shift))
-    size = float(np.ptp(document.control_points, axis=(0, 1)).max())
     flat = ", ".join(aligned.flat_axes)
     return Measurement(
-        value=part_of(difference, size),
+        value=part_of(difference, document.net_size),
         what=f"largest difference of the two boxes at {SAMPLES[0]} x {SAMPLES[1]} samples as part of the net's size",
         holds=difference <= noise,
         note=f"the raw surface has no extent along {flat}: T only moves there" if flat else "",

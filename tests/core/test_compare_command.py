@@ -1,13 +1,15 @@
 """``qovr compare`` as a user runs it: another process."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
-from qovr_core import Formulation
+from qovr_core import Formulation, Knots
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.laboratory.comparison import Contender, compare
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
+from qovr_core.laboratory.curve_claims import with_knots
 from qovr_core.presets import presets
 from support.command import qovr, refused
 from support.documents import random_document
@@ -58,3 +60,13 @@ def test_a_net_in_one_place_is_refused(tmp_path):
     content["control_points"] = [[[1, 2, 3]] * 5] * 5
     (tmp_path / "a.qovr").write_text(json.dumps(content))
     assert "the control points all lie in one place" in refused(qovr("compare", "a.qovr", cwd=tmp_path))
+
+
+def test_coordinates_whose_squares_overflow_are_told_without_a_warning(tmp_path):
+    document = with_knots(presets()["fig5"].document, Knots(s=1e-120))
+    (tmp_path / "a.qovr").write_text(document_to_json(replace(document, formulation=Formulation.INTERPOLATING)))
+    run = qovr("compare", "a.qovr", "--json", cwd=tmp_path)
+    assert (run.code, run.err) == (0, "")
+    facts = json.loads(run.out, parse_constant=pytest.fail)
+    assert facts["surfaces"]["qovr"]["largest_displacement"] is None
+    assert facts["surfaces"]["bezier"]["distance_of_qovr"] > 1e100

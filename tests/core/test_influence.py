@@ -13,7 +13,6 @@ from qovr_core.laboratory.influence import (
     PointMove,
     default_amount,
     influence,
-    net_size,
 )
 from qovr_core.laboratory.levels import area_above, level_line
 from qovr_core.presets import preset
@@ -293,7 +292,7 @@ def test_the_default_change_of_a_knot_stays_inside(document, place):
 
 
 def test_the_size_of_the_net_is_the_diagonal_of_its_box():
-    assert net_size(preset("fig5").document) == pytest.approx(np.sqrt(4**2 + 4**2 + 0.1**2))
+    assert preset("fig5").document.net_size == pytest.approx(np.sqrt(4**2 + 4**2 + 0.1**2))
 
 
 def test_results_are_locked():

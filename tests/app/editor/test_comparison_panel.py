@@ -44,7 +44,7 @@ def texts(editor):
 
 def expected(document, **options):
     comparison = compare(document, **options)
-    size = comparison.trial.net_size
+    size = comparison.trial.document.net_size
     return [[row.text(comparison.measures[surface], size) for surface in SURFACES] for row in ROWS]
 
 
