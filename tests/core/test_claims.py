@@ -304,7 +304,7 @@ def test_a_knot_near_the_end_of_its_range_is_moved_inside_it():
 def test_the_influence_of_a_point_is_a_product_of_weights_where_knots_are_equal():
     document = with_all(random_document(9), 0.4, 0.5, 0.6, 0.3)
     weights = bernstein.basis(6, np.linspace(0, 1, 21)) @ weight_coefficients([0.4, 0.5, 0.6, 0.3])
-    step = shape_claims.POINT_STEP * np.ptp(document.control_points, axis=(0, 1)).max()
+    step = shape_claims.POINT_STEP * document.net_size
     expected = np.abs(np.einsum("uj,vi->ijuv", weights, weights)).reshape(25, 21, 21) * step
     moved = shape_claims.point_displacements(document)
     assert np.allclose(moved, expected, atol=1e-9)

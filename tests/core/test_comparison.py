@@ -59,9 +59,7 @@ def test_the_energy_is_settled_under_doubled_nodes_and_counts_every_piece():
     surface = catmull_rom(random_net(4))
     energy = bending_energy(surface, surface.breaks)
     assert surface_measures._energy(surface, surface.breaks, 200) == pytest.approx(energy, rel=1e-6)
-    assert surface_measures._energy(surface, NO_JOINTS, 400) == pytest.approx(
-        energy, rel=1e-3
-    )  # slowly
+    assert surface_measures._energy(surface, NO_JOINTS, 400) == pytest.approx(energy, rel=1e-3)  # slowly
 
 
 def test_a_fold_has_no_finite_energy():
