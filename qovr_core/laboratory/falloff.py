@@ -95,13 +95,29 @@ def fit_exponential(distance: Array, displacement: Array) -> Exponential:
     low, high = _LENGTHS
     for _ in range(_ROUNDS):
         lengths = np.geomspace(low, high, _CANDIDATES)
-        shapes = np.exp(-distance / lengths[:, None])
-        amplitudes = shapes @ wanted / np.einsum("lk,lk->l", shapes, shapes)
-        deviations = amplitudes[:, None] * shapes - wanted
-        errors = np.sqrt(np.einsum("lk,lk->l", deviations, deviations) / distance.size)
-        best = int(errors.argmin())
+        best, amplitude, deviations = best_decay(distance, wanted, lengths)
         low, high = lengths[max(best - 1, 0)], lengths[min(best + 1, _CANDIDATES - 1)]
-    return Exponential(float(largest * amplitudes[best]), float(lengths[best]), float(errors[best]))
+    misfit = np.sqrt((deviations**2).mean())
+    return Exponential(float(largest * amplitude), float(lengths[best]), float(misfit))
+
+
+def best_decay(distance: Array, values: Array, lengths: Array) -> tuple[int, float, Array]:
+    """Return the number of the length L at which A exp(-d / L) meets values best by least squares, A, and what is off.
+
+    Parameters
+    ----------
+    distance, values : (k,) each
+    lengths : (n,) the lengths to choose from
+
+    Returns
+    -------
+    the number, A, and the deviations (k,) of that exponential from the values
+    """
+    shapes = np.exp(-distance / lengths[:, None])
+    amplitudes = shapes @ values / np.einsum("lk,lk->l", shapes, shapes)
+    deviations = amplitudes[:, None] * shapes - values
+    best = int(np.einsum("lk,lk->l", deviations, deviations).argmin())
+    return best, float(amplitudes[best]), deviations[best]
 
 
 def _envelope(distance: Array, magnitude: Array) -> Array:

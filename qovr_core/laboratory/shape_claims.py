@@ -15,6 +15,7 @@ from qovr_core.formulations import build_patch, patch_coefficients
 from qovr_core.knots import Knots, knot_array
 from qovr_core.laboratory.claims import Condition, Measurement
 from qovr_core.laboratory.curve_claims import with_knots
+from qovr_core.laboratory.falloff import best_decay
 from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.patch import PATCH_DEGREE
@@ -89,19 +90,10 @@ def misfit_of_exponential(displacement: Array) -> float:
         return 0.0
     u, v = (_GRID[index] for index in np.unravel_index(displacement.argmax(), displacement.shape))
     distance = np.hypot(_GRID[:, None] - u, _GRID[None, :] - v).ravel()
-    best, _ = _best_decay(distance, displacement.ravel(), _LENGTHS)
+    best, *_ = best_decay(distance, displacement.ravel(), _LENGTHS)
     near = np.geomspace(_LENGTHS[max(best - 1, 0)], _LENGTHS[min(best + 1, len(_LENGTHS) - 1)], _REFINED)
-    _, misfit = _best_decay(distance, displacement.ravel(), near)
-    return misfit / float(top)
-
-
-def _best_decay(distance: Array, values: Array, lengths: Array) -> tuple[int, float]:
-    """Return which decay length meets the values best by least squares, and its largest difference from them."""
-    laws = np.exp(-distance / lengths[:, None])
-    amplitudes = laws @ values / (laws * laws).sum(axis=1)
-    residuals = np.abs(amplitudes[:, None] * laws - values)
-    best = int((residuals**2).sum(axis=1).argmin())
-    return best, float(residuals[best].max())
+    *_, deviations = best_decay(distance, displacement.ravel(), near)
+    return largest(deviations) / float(top)
 
 
 def symmetry(document: Document) -> Measurement:
