@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.edits import CURVE_LETTERS
 from qovr_core.laboratory.curve_names import name_centres, named_places, seen_points
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
@@ -100,8 +101,7 @@ def draw_curve(curve: OneCurve, view: View, size: tuple[float, float], *, equal_
     axes = parts["curve"]
     _draw_blend(axes, plane, curve)
     _frame(axes, plane, curve)
-    letter, number = curve.name.split("_")
-    axes.set_title(f"${letter}_{number}({curve.parameter})$", fontsize=_FONT + 1)
+    axes.set_title(f"${curve.name}({curve.parameter})$", fontsize=_FONT + 1)
     _draw_functions(parts["blends"], curve, curve.blends(SAMPLES), [f"$w_{p}$" for p in range(3)], _PARTS)
     _draw_functions(parts["weights"], curve, curve.weights(SAMPLES), [f"$b_{k}$" for k in range(5)], SERIES)
     _draw_transformations(parts["places"], curve)
@@ -188,7 +188,7 @@ def _draw_blend(axes: Any, plane: Plane, curve: OneCurve) -> None:
         _draw_part(axes, plane, curve, p, (0.0, 1.0), **_WHOLE)
         _draw_part(axes, plane, curve, p, curve.blended[p], **_BLENDED)
         _draw_part(axes, plane, curve, p, curve.auxiliary[p], **_AUXILIARY)
-    name = f"$C({curve.parameter})$" if curve.parameter == "u" else f"$K({curve.parameter})$"
+    name = f"${CURVE_LETTERS[curve.direction]}({curve.parameter})$"
     axes.plot(*plane.drawn(curve.at(SAMPLES)).T, color=_INK, linewidth=1.8, zorder=3, label=name)
     fold = curve.fold_back
     if fold:

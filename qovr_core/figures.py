@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from qovr_core import bernstein
+from qovr_core.curve_figures import draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
 from qovr_core.files.atomic import replacing
@@ -20,8 +21,7 @@ from qovr_core.weights import CURVE_DEGREE
 
 FIGURE_FORMATS = ("png", "svg", "pdf")
 
-_CURVE_FIGURES = {"fig1a": "draw_parabolas", "fig1b": "draw_knots", "fig1c": "draw_sensitivity"}
-"""The functions of ``qovr_core.curve_figures`` that draw them."""
+_CURVE_FIGURES = {"fig1a": draw_parabolas, "fig1b": draw_knots, "fig1c": draw_sensitivity}
 
 _NETWORK_FIGURE = "fig2"
 
@@ -96,12 +96,10 @@ def write_figure(figure: Any, path: Path, *, dpi: float, transparent: bool = Fal
 
 
 def _draw(name: str) -> Any:
-    from qovr_core import curve_figures
-
     if name == _NETWORK_FIGURE:
         return draw_network(network_case().document)
     if name in _CURVE_FIGURES:
-        return getattr(curve_figures, _CURVE_FIGURES[name])(OneCurve(*curve_case()))
+        return _CURVE_FIGURES[name](OneCurve(*curve_case()))
     case = figure_cases()[name]
     return draw_figure(configure(case.preset.document), layer=case.layer, camera=case.camera)
 

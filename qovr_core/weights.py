@@ -13,7 +13,7 @@ CURVE_DEGREE = 6
 """Degree in which every weight is held; the true degree is 4 where s_ip = u_ip."""
 
 _PARABOLAS = 3
-_KERNEL_KNOTS = [0, 1, 3]
+KERNEL_KNOTS = [0, 1, 3]
 """Of r, s, u, t those that stand in the kernels of Q_0, Q_1, Q_2."""
 
 _BLEND = (
@@ -62,7 +62,7 @@ def weight_coefficients(knots: npt.ArrayLike, *, kernel_decimals: int | None = N
     (..., 7, 5) float64; column j belongs to P_j. Rows of a degree-4 curve are its degree elevation to 6.
     """
     k = np.asarray(knots, dtype=np.float64)
-    kernels = inverse_kernels(k[..., _KERNEL_KNOTS], decimals=kernel_decimals)
+    kernels = inverse_kernels(k[..., KERNEL_KNOTS], decimals=kernel_decimals)
     return _blended(_monomials(transformations(k)) @ kernels)
 
 
@@ -109,10 +109,10 @@ def weight_slopes(knots: npt.ArrayLike) -> Array:
     monomial_slopes = _monomials(dx)
     monomial_slopes[..., 0] = 2 * bernstein.product(x, dx)
     monomial_slopes[..., 2] = 0
-    own = k[..., _KERNEL_KNOTS]
+    own = k[..., KERNEL_KNOTS]
     slopes = monomial_slopes @ inverse_kernels(own)[..., None, :, :, :]
     through_kernels = _monomials(transformations(k)) @ inverse_kernel_slopes(own)
-    for parabola, knot in enumerate(_KERNEL_KNOTS):
+    for parabola, knot in enumerate(KERNEL_KNOTS):
         slopes[..., knot, parabola, :, :] += through_kernels[..., parabola, :, :]
     return _blended(slopes)
 

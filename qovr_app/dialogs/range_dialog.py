@@ -8,8 +8,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QL
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.panels.numbers import number_text, typed_number
-
-Range = tuple[float, float]
+from qovr_core.laboratory.fields import Range
 
 
 class RangeDialog(QDialog):

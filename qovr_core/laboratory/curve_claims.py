@@ -9,14 +9,15 @@ import numpy as np
 from qovr_core import bernstein
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
+from qovr_core.edits import CURVE_LETTERS, Direction
 from qovr_core.formulations import build_patch, kernel_decimals
 from qovr_core.kernels import inverse_kernels, kernels
 from qovr_core.knots import Knots, knot_array
 from qovr_core.laboratory.claims import Condition, Measurement
 from qovr_core.laboratory.rounding import ROUNDING, largest
-from qovr_core.weights import CURVE_DEGREE, weight_coefficients
+from qovr_core.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients
 
-CURVE_NAMES = tuple([f"C_{i}" for i in range(NET_SIZE)] + [f"K_{j}" for j in range(NET_SIZE)])
+CURVE_NAMES = tuple(f"{CURVE_LETTERS[direction]}_{k}" for direction in Direction for k in range(NET_SIZE))
 """The ten curves of a document, rows before columns."""
 
 _QUARTIC = 4
@@ -28,7 +29,7 @@ _LIFTED = Knots(s=0.6)
 
 def inverse(document: Document) -> Measurement:
     """M M^-1 = I for every kernel of the document, (14)-(17), (21), (22)."""
-    knots = _knots(document)[:, [0, 1, 3]]
+    knots = _knots(document)[:, KERNEL_KNOTS]
     kernel = kernels(knots)
     inverted = inverse_kernels(knots, decimals=kernel_decimals(document.formulation))
     deviation = largest(kernel @ inverted - np.eye(3))
@@ -51,7 +52,7 @@ def unity(document: Document) -> Measurement:
 
 def _rows_cancel(document: Document) -> bool:
     """Whether the kernels keep what makes the weights sum to 1: [x^2 x 1] M^-1 sums to 1 for every x."""
-    inverted = inverse_kernels(_knots(document)[:, [0, 1, 3]], decimals=kernel_decimals(document.formulation))
+    inverted = inverse_kernels(_knots(document)[:, KERNEL_KNOTS], decimals=kernel_decimals(document.formulation))
     return largest(inverted.sum(axis=-1) - [0, 0, 1]) <= ROUNDING * largest(inverted)
 
 
