@@ -5,9 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from qovr_core.arrays import Array, read_only
+from qovr_core.arrays import Array, Flags, Indices, read_only
 from qovr_core.differential import ParametricSurface
 
 _SEED_SAMPLES = 65
@@ -38,9 +37,6 @@ _LEAST_CURVATURE = 1e-6
 
 _ROUNDING = 1e-12
 """It is raised to this part of the Hessian at least: with less, rounding could make the determinant 0."""
-
-Indices = npt.NDArray[np.intp]
-Flags = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,10 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
-import numpy.typing as npt
 
 from qovr_core import bernstein
 from qovr_core.alignment import align, bounding_box
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, Flags, Indices
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.formulations import build_patch, patch_coefficients
 from qovr_core.knots import Knots, knot_array
@@ -25,8 +24,6 @@ KNOT_STEP = 0.1
 
 _REMEMBERED = 16
 """Both claims ask for the same moves: those of one document and its examples, under three formulations."""
-
-Flags = npt.NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,7 +54,7 @@ class KnotMoves:
     raw, transformed : how the edges move before and after T, which every move computes anew
     """
 
-    curve: npt.NDArray[np.intp]
+    curve: Indices
     has_effect: Flags
     box_keeps: Flags
     raw: EdgeMotion
@@ -156,7 +153,7 @@ def knot_moves(document: Document) -> KnotMoves:
     )
 
 
-def _moved_knots(document: Document) -> tuple[npt.NDArray[np.intp], Array]:
+def _moved_knots(document: Document) -> tuple[Indices, Array]:
     """Return, for each move, the number of the curve and the knots of all curves, (80,) and (80, 10, 4)."""
     knots = knot_array(document.row_knots + document.column_knots)
     up = np.where(knots + KNOT_STEP < 1, knots + KNOT_STEP, (knots + 1) / 2)

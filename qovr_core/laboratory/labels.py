@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, Flags, Indices
 
 _NEAR = 0.15
 """Labels on two functions are closer than they may be within this part of the drawing both ways."""
@@ -19,7 +19,7 @@ _FARTHER, _TURNED, _HIDDEN = 3.0, 3.0, 1000.0
 wanted, and covering another label or leaving the drawing."""
 
 
-def label_places(values: npt.ArrayLike) -> npt.NDArray[np.intp]:
+def label_places(values: npt.ArrayLike) -> Indices:
     """Return where a label on each of several functions is farthest from the others and from their labels.
 
     Parameters
@@ -94,7 +94,7 @@ def _turn(wanted: Array) -> Array:
     return turned
 
 
-def _inside(points: Array, centres: Array, halves: Array) -> npt.NDArray[np.bool_]:
+def _inside(points: Array, centres: Array, halves: Array) -> Flags:
     """Return for every centre which points lie within a rectangle around it, (centres, points)."""
     within = np.abs(points[None] - centres[:, None]) < halves
     return np.asarray(within.all(axis=2))

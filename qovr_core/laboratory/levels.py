@@ -8,12 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
-from qovr_core.arrays import Array, read_only
-
-Indices = npt.NDArray[np.intp]
-
+from qovr_core.arrays import Array, Flags, Indices, read_only
 
 _CORNERS = np.array([[[0, 0], [1, 1]], [[1, 0], [1, 0]], [[0, 1], [0, 1]]])
 """Steps along u and v from a cell's first sample to the three corners of its two triangles, [corner, triangle]."""
@@ -66,7 +62,7 @@ class _Cut:
     families: Indices
     cells: Indices
     alone: Indices
-    is_above: npt.NDArray[np.bool_]
+    is_above: Flags
     parts: Array
     whole: int
     count: int
