@@ -10,7 +10,7 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.edits import CURVE_LETTERS
-from qovr_core.laboratory.curve_names import name_centres, named_places, seen_points
+from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
@@ -27,9 +27,6 @@ _FONT, _SMALL = 9, 8
 _GAP_POINTS = 5.0
 _ROOM = 0.16
 """Kept free around the curve for labels, as a part of its extent."""
-
-_FLATTEST = 0.02
-"""Across a curve that is straight a drawing shows this part of its length, not rounding drawn large."""
 
 _BLENDED = {"linewidth": 5.5, "alpha": 0.3, "solid_capstyle": "butt", "label": "blended segment"}
 _WHOLE = {"linewidth": 1.0, "label": "parabola"}
@@ -131,7 +128,7 @@ def _frame(axes: Any, plane: Plane, curve: OneCurve) -> None:
     """Give the drawing its range: what lies between the points, with room for labels."""
     seen = seen_points(curve, plane)
     low, high = seen.min(axis=0), seen.max(axis=0)
-    extent = np.maximum(high - low, _FLATTEST * max(*(high - low), np.finfo(float).tiny))
+    extent = np.maximum(high - low, FLATTEST * max(*(high - low), np.finfo(float).tiny))
     middle = (low + high) / 2
     for limit, centre, length in zip((axes.set_xlim, axes.set_ylim), middle, extent * (0.5 + _ROOM), strict=True):
         limit(centre - length, centre + length)

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from qovr_app.panels.look import SPACE, look, number_font
+from qovr_app.panels.look import SPACE, look, small_number_font
 from qovr_core import Formulation
 from qovr_core.laboratory.claims import Claim, Finding, Verdict
 from qovr_core.laboratory.verify import CLAIMS
@@ -26,7 +26,6 @@ MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
 FORMULATIONS = tuple(Formulation)
 _FIRST, _SECOND, _IS_OLD, _FINDING = (Qt.ItemDataRole.UserRole + k for k in range(4))
 _LINES = 2
-_SMALLER = 0.88
 _COLUMN_WIDTH = 112
 _OLD_OPACITY = 0.4
 _LARGEST_WHOLE = 1e5
@@ -150,8 +149,7 @@ class _TwoLines(QStyledItemDelegate):
         super().__init__(table)
         self._strong = QFont(table.font())
         self._strong.setBold(True)
-        self._small = number_font(table.font())
-        self._small.setPointSizeF(_SMALLER * table.font().pointSizeF())
+        self._small = small_number_font(table.font())
 
     def sizeHint(self, _option: QStyleOptionViewItem, _index: QModelIndex) -> QSize:
         return QSize(_COLUMN_WIDTH, _LINES * self.parent().fontMetrics().height() + 2 * SPACE)

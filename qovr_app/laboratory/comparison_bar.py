@@ -13,7 +13,7 @@ from qovr_app.panels.symbols import symbol_html
 from qovr_app.view3d.settings import Placement
 from qovr_core import DocumentError
 from qovr_core.checks import checked_number, described
-from qovr_core.laboratory.comparison import COMPANIONS, DEFAULT_WEIGHT, Contender
+from qovr_core.laboratory.comparison import DEFAULT_WEIGHT, RIVALS, Contender
 from qovr_core.laboratory.comparison_report import DESCRIPTIONS, NAMES
 
 _NAME = "laboratory.comparison"
@@ -44,10 +44,10 @@ class ComparisonBar(QWidget):
         self._contender = QComboBox(
             self, objectName=f"{_NAME}.surface", accessibleName="Surface shown in the view besides QOVR"
         )
-        for index, contender in enumerate(COMPANIONS):
+        for index, contender in enumerate(RIVALS):
             self._contender.addItem(NAMES[contender], contender)
             self._contender.setItemData(index, DESCRIPTIONS[contender], _TOOL_TIP)
-        self._contender.setCurrentIndex(COMPANIONS.index(_FIRST_CONTENDER))
+        self._contender.setCurrentIndex(RIVALS.index(_FIRST_CONTENDER))
         self._contender.setToolTip("The surface of the same net that the view shows besides QOVR")
         self._placement = QComboBox(
             self, objectName=f"{_NAME}.placement", accessibleName="Where the view shows the surface"

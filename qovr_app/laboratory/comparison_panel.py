@@ -25,8 +25,8 @@ from qovr_core.laboratory.comparison import (
     Contender,
     Measures,
     Trial,
-    companion,
     comparison_steps,
+    rival_surface,
 )
 from qovr_core.laboratory.comparison_report import NAMES, copied_text
 
@@ -190,7 +190,7 @@ class ComparisonPanel(LaboratoryPanel):
 
 def _rival(contender: Contender, placement: Placement, point: tuple[int, int], weight: float) -> Rival:
     def surface_of(result: Result) -> ParametricSurface:
-        return companion(contender, result.document.control_points, point, weight)
+        return rival_surface(contender, result.document.control_points, point, weight)
 
     return Rival(NAMES[contender], surface_of, placement)
 

@@ -12,7 +12,7 @@ from qovr_app.panels.look import look
 from qovr_app.panels.symbols import symbol_html
 from qovr_app.view3d.theme import Theme
 from qovr_core.arrays import Array
-from qovr_core.laboratory.curve_names import name_centres, named_places, seen_points
+from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
 
@@ -21,9 +21,6 @@ _BLENDED_ALPHA = 90
 _ROOM_FOR_LABELS = 0.2
 _ROOM_FOR_KNOTS = 380
 """From this width on the points' labels also name the knots without touching each other."""
-
-_FLATTEST = 0.02
-"""Across a curve that is straight the plot shows this part of its length, not rounding drawn large."""
 
 
 class GeometryPlot(Plot):
@@ -134,7 +131,7 @@ class GeometryPlot(Plot):
     def _frame(self, seen: Array) -> tuple[Array, Array]:
         """Return the pixels to a unit in the range that the plot takes by itself, and that range in pixels, (2, 2)."""
         low, high = seen.min(axis=0), seen.max(axis=0)
-        least = _FLATTEST * max(*(high - low), np.finfo(float).tiny)
+        least = FLATTEST * max(*(high - low), np.finfo(float).tiny)
         self.view_box.setLimits(minXRange=least, minYRange=least)
         span = (1 + 2 * _ROOM_FOR_LABELS) * np.maximum(high - low, least)
         pixels = np.array([self.view_box.width(), self.view_box.height()]) / span

@@ -8,11 +8,8 @@ from PySide6.QtGui import QColor, QPen, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from qovr_app.appearance import theme as theme_in_force
-from qovr_app.panels.look import SPACE, number_font
+from qovr_app.panels.look import SPACE, small_number_font
 from qovr_app.view3d.theme import Rgb, Theme, theme_of
-
-_SMALLER = 0.88
-"""Numbers on axes and labels in plots, against the window's own font."""
 
 _LABEL_MARGIN = 1
 _GRID = 0.16
@@ -38,8 +35,7 @@ class Plot(pg.PlotWidget):
         self.setMenuEnabled(False)
         self.hideButtons()
         self.view_box.setDefaultPadding(_PADDING)
-        self.small_font = number_font(self.font())
-        self.small_font.setPointSizeF(_SMALLER * self.font().pointSizeF())
+        self.small_font = small_number_font(self.font())
         for side in ("left", "bottom"):
             axis = self.getAxis(side)
             axis.setStyle(tickFont=self.small_font, tickLength=4, tickTextOffset=3)

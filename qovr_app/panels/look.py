@@ -14,6 +14,10 @@ SPACE = 4
 """The grid on which every distance in the panels is a multiple."""
 
 
+_SMALLER = 0.88
+"""Small text against the window's own."""
+
+
 @dataclass(frozen=True)
 class Look:
     """Colours of one theme.
@@ -74,6 +78,13 @@ def number_font(font: QFont) -> QFont:
     """Return a font whose digits are equally wide."""
     result = QFont(font)
     result.setFeature(QFont.Tag("tnum"), 1)
+    return result
+
+
+def small_number_font(font: QFont) -> QFont:
+    """Return a number font for what stands beside or below other text."""
+    result = number_font(font)
+    result.setPointSizeF(_SMALLER * font.pointSizeF())
     return result
 
 

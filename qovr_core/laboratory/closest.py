@@ -84,16 +84,16 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
         return Closest(found.u, found.v, read_only(found.points * size), read_only(found.distance * size))
     distance, nearest = cKDTree(seeds.points).query(targets, _NEIGHBOURS)
     best = _descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
-    rivals = _rivals(seeds, targets, distance, nearest, best)
-    while rivals.target.size:
-        rows, first = np.unique(rivals.target, return_index=True)
-        start = seeds.at[rivals.sample[first]]
+    candidates = _candidates(seeds, targets, distance, nearest, best)
+    while candidates.target.size:
+        rows, first = np.unique(candidates.target, return_index=True)
+        start = seeds.at[candidates.sample[first]]
         other = _descend(surface, start, targets[rows], seeds.last_step)
         best.improve(rows, other)
-        place = np.searchsorted(rows, rivals.target)
-        at = seeds.at[rivals.sample]
+        place = np.searchsorted(rows, candidates.target)
+        at = seeds.at[candidates.sample]
         is_new = _apart(at, start[place]) & _apart(at, other.at[place])
-        rivals = rivals.of(is_new & (rivals.promise < best.distance[rivals.target]))
+        candidates = candidates.of(is_new & (candidates.promise < best.distance[candidates.target]))
     u, v = best.at.T.copy()
     return Closest(*map(read_only, (u, v, best.feet, best.distance)))
 
@@ -120,7 +120,7 @@ def _seed_grid(surface: ParametricSurface) -> _Seeds:
 
 
 @dataclass(frozen=True)
-class _Rivals:
+class _Candidates:
     """Further samples to search from, (q,) each: for which target, which sample, how near it may lead.
 
     They stand by target, the most promising of each first.
@@ -130,19 +130,19 @@ class _Rivals:
     sample: Indices
     promise: Array
 
-    def of(self, wanted: Flags | Indices) -> _Rivals:
-        return _Rivals(self.target[wanted], self.sample[wanted], self.promise[wanted])
+    def of(self, wanted: Flags | Indices) -> _Candidates:
+        return _Candidates(self.target[wanted], self.sample[wanted], self.promise[wanted])
 
 
-def _rivals(seeds: _Seeds, targets: Array, distance: Array, nearest: Indices, best: _Feet) -> _Rivals:
+def _candidates(seeds: _Seeds, targets: Array, distance: Array, nearest: Indices, best: _Feet) -> _Candidates:
     """Return the nearest samples that do not lie beside the foot already found, and may lead to a nearer one."""
     target, rank = np.nonzero(_apart(seeds.at[nearest], best.at[:, None]))
     sample, far = nearest[target, rank], distance[target, rank]
     direction = (seeds.points[sample] - targets[target]) / np.where(far > 0, far, 1.0)[:, None]
     gain = np.abs(np.einsum("kpd,kd->kp", seeds.tangents[sample], direction)).sum(axis=1) * (_CELL / 2)
-    rivals = _Rivals(target, sample, far - gain)
-    rivals = rivals.of(rivals.promise < best.distance[target])
-    return rivals.of(np.lexsort((rivals.promise, rivals.target)))
+    candidates = _Candidates(target, sample, far - gain)
+    candidates = candidates.of(candidates.promise < best.distance[target])
+    return candidates.of(np.lexsort((candidates.promise, candidates.target)))
 
 
 def _apart(a: Array, b: Array) -> Flags:

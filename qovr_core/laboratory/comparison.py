@@ -45,7 +45,7 @@ class Contender(StrEnum):
     CATMULL_ROM = "catmull-rom"
 
 
-COMPANIONS = tuple(Contender)[1:]
+RIVALS = tuple(Contender)[1:]
 """The classical surfaces, which a net alone gives."""
 
 
@@ -128,7 +128,7 @@ class Trial:
         document = self.moved_document if moved else self.document
         if contender is Contender.QOVR:
             return align_patch(document).layer_patch(default_layer(document))
-        return companion(contender, document.control_points, self.point, self.weight)
+        return rival_surface(contender, document.control_points, self.point, self.weight)
 
 
 @dataclass(frozen=True)
@@ -139,7 +139,7 @@ class Comparison:
     measures: dict[Contender, Measures]
 
 
-def companion(
+def rival_surface(
     contender: Contender, net: Array, point: tuple[int, int] = DEFAULT_POINT, weight: float = DEFAULT_WEIGHT
 ) -> TensorSurface:
     """Return a classical surface of a net (5, 5, 3); the point and its weight shape the NURBS surface alone."""

@@ -11,6 +11,9 @@ from qovr_core.laboratory.labels import free_place, place_labels
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane
 
+FLATTEST = 0.02
+"""Across a curve that is straight a drawing shows this part of its length, not rounding drawn large."""
+
 _DENSE = 1001
 """Points of a line that may run far out of the drawing, so that enough of them are in it."""
 
