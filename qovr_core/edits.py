@@ -88,6 +88,11 @@ def set_knots(document: Document, direction: Direction, knots: tuple[Knots, ...]
     return replace(document, column_knots=knots)
 
 
+def set_all_knots(document: Document, knots: Knots) -> Document:
+    """Return the document with the same knots on all ten curves."""
+    return replace(document, row_knots=(knots,) * NET_SIZE, column_knots=(knots,) * NET_SIZE)
+
+
 def set_knot(
     document: Document, direction: Direction, name: str, value: float, *, curve: int | None = None
 ) -> Document:

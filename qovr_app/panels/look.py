@@ -13,7 +13,6 @@ from qovr_app.view3d.theme import theme_of
 SPACE = 4
 """The grid on which every distance in the panels is a multiple."""
 
-
 _SMALLER = 0.88
 """Small text against the window's own."""
 

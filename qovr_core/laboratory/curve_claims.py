@@ -9,7 +9,7 @@ import numpy as np
 from qovr_core import bernstein
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
-from qovr_core.edits import CURVE_LETTERS, Direction
+from qovr_core.edits import CURVE_LETTERS, Direction, set_all_knots
 from qovr_core.formulations import build_patch, kernel_decimals
 from qovr_core.kernels import inverse_kernels, kernels
 from qovr_core.knots import Knots, knot_array
@@ -57,7 +57,8 @@ def _rows_cancel(document: Document) -> bool:
 
 
 def kernel_examples(document: Document) -> tuple[Document, ...]:
-    return with_knots(document, _HALVES), with_knots(document, _THIRDS)
+    """Return the document with knots whose kernels four decimals hold, and with some whose kernels they do not."""
+    return set_all_knots(document, _HALVES), set_all_knots(document, _THIRDS)
 
 
 KERNELS_HOLD = Condition("the kernels' rows still sum to 0, 0, 1 once they are cut to four decimals", _rows_cancel)
@@ -94,6 +95,7 @@ def _all_quartic(document: Document) -> bool:
 
 
 def degree_examples(document: Document) -> tuple[Document, ...]:
+    """Return the document with s_ip = u_ip on every curve, and on every curve but C_0."""
     rows = tuple(replace(knots, s=knots.u) for knots in document.row_knots)
     columns = tuple(replace(knots, s=knots.u) for knots in document.column_knots)
     quartic_here = replace(document, row_knots=rows, column_knots=columns)
@@ -137,11 +139,6 @@ def _against_the_paper(found: Array, paper: list[list[float]], of_what: str) -> 
 def _row(row: Array) -> str:
     """Return a row of weights in the paper's way of writing."""
     return "[" + " ".join(f"{value:.4g}" for value in np.round(row, 10) + 0.0) + "]"
-
-
-def with_knots(document: Document, knots: Knots) -> Document:
-    """Return the document with the same knots on all ten curves."""
-    return replace(document, row_knots=(knots,) * NET_SIZE, column_knots=(knots,) * NET_SIZE)
 
 
 def _knots(document: Document) -> Array:

@@ -8,10 +8,9 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
-from qovr_core.edits import set_points
+from qovr_core.edits import set_all_knots, set_points
 from qovr_core.knots import Knots
 from qovr_core.laboratory.claims import Condition, Measurement
-from qovr_core.laboratory.curve_claims import with_knots
 from qovr_core.laboratory.neighbours import Continuation, joints
 
 _POSITION, _TANGENT, _CURVATURE = 0, 1, 2
@@ -55,13 +54,14 @@ def _is_even(knots: Knots) -> bool:
 
 
 def crossing_examples(document: Document) -> tuple[Document, ...]:
+    """Return the document with knots that meet the condition of C1, thrice, and with knots that miss either half."""
     one = (_EVEN[1],) * NET_SIZE
     return (
-        with_knots(document, Knots()),
+        set_all_knots(document, Knots()),
         replace(document, row_knots=one, column_knots=_EVEN),
         replace(document, row_knots=_EVEN, column_knots=one),
         replace(document, row_knots=_EVEN, column_knots=_EVEN),
-        with_knots(document, Knots(r=0.4, t=0.4)),
+        set_all_knots(document, Knots(r=0.4, t=0.4)),
     )
 
 
@@ -91,7 +91,7 @@ def _smooth_net(document: Document) -> Document | None:
 
     Tried are the document itself and the net affine in (i, j) that is nearest to its own, with 0.5 knots.
     """
-    affine = with_knots(set_points(document, _affine_net(document.control_points)), Knots())
+    affine = set_all_knots(set_points(document, _affine_net(document.control_points)), Knots())
     return next((tried for tried in (document, affine) if _is_smooth(tried)), None)
 
 

@@ -11,10 +11,11 @@ from qovr_core import bernstein
 from qovr_core.alignment import align, bounding_box
 from qovr_core.arrays import Array, Flags, Indices
 from qovr_core.document import NET_SIZE, Document
+from qovr_core.edits import set_all_knots
 from qovr_core.formulations import build_patch, patch_coefficients
 from qovr_core.knots import Knots, knot_array
 from qovr_core.laboratory.claims import Measurement
-from qovr_core.laboratory.curve_claims import CURVE_NAMES, with_knots
+from qovr_core.laboratory.curve_claims import CURVE_NAMES
 from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.patch import PATCH_DEGREE, Edge
@@ -98,7 +99,7 @@ def box_examples(document: Document) -> tuple[Document, ...]:
     extent = np.where(box[:, 1] > box[:, 0], box[:, 1] - box[:, 0], 1.0)
     net = box.mean(axis=1) + extent / 2 * np.stack([j, i, j * j - i * i], axis=-1)
     saddle = replace(document, control_points=net)
-    return saddle, with_knots(saddle, Knots())
+    return saddle, set_all_knots(saddle, Knots())
 
 
 def _who_moves(moves: KnotMoves) -> str:

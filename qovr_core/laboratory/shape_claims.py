@@ -10,11 +10,10 @@ from qovr_core import bernstein
 from qovr_core.alignment import bounding_box
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
-from qovr_core.edits import set_points
+from qovr_core.edits import set_all_knots, set_points
 from qovr_core.formulations import build_patch, patch_coefficients
 from qovr_core.knots import Knots, knot_array
 from qovr_core.laboratory.claims import Condition, Measurement
-from qovr_core.laboratory.curve_claims import with_knots
 from qovr_core.laboratory.falloff import best_decay
 from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.trials import SAMPLES
@@ -131,7 +130,7 @@ def symmetric_documents(document: Document) -> dict[str, Document]:
     x = np.broadcast_to((x_of_column - x_of_column[::-1]) / 2 + x.mean(), z.shape)
     y = np.broadcast_to(((y_of_row - y_of_row[::-1]) / 2 + y.mean())[:, None], z.shape)
     nets = {name: np.stack([x, y, (z + _reversed(z, *flips)) / 2], axis=-1) for name, flips in _MIRRORS.items()}
-    return {name: with_knots(set_points(document, net), Knots()) for name, net in nets.items()}
+    return {name: set_all_knots(set_points(document, net), Knots()) for name, net in nets.items()}
 
 
 def _turned(document: Document) -> Document:
@@ -139,7 +138,7 @@ def _turned(document: Document) -> Document:
     net = document.control_points
     turned = net[::-1, ::-1].copy()
     turned[..., :2] = 2 * net[..., :2].mean(axis=(0, 1)) - turned[..., :2]
-    return with_knots(set_points(document, (net + turned) / 2), Knots())
+    return set_all_knots(set_points(document, (net + turned) / 2), Knots())
 
 
 def _reversed(values: Array, rows: bool, columns: bool) -> Array:

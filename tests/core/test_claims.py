@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 
 from qovr_core import Document, Edge, Formulation, Knots, Patch, align_patch, bernstein, build_patch, edits
-from qovr_core.edits import Direction
+from qovr_core.edits import Direction, set_all_knots
 from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
 from qovr_core.laboratory.claims import Claim, Condition, Measurement, Verdict, decide
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
@@ -44,7 +44,7 @@ KEEPS_EDGES = "C_0, C_2, C_4, K_0, K_2, K_4"
 
 
 def with_all(document, *values):
-    return curve_claims.with_knots(document, Knots(*values))
+    return set_all_knots(document, Knots(*values))
 
 
 def of_conditions():

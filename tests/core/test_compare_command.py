@@ -6,10 +6,10 @@ from dataclasses import replace
 import pytest
 
 from qovr_core import Formulation, Knots
+from qovr_core.edits import set_all_knots
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.laboratory.comparison import Contender, compare
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
-from qovr_core.laboratory.curve_claims import with_knots
 from qovr_core.presets import presets
 from support.command import qovr, refused
 from support.documents import random_document
@@ -63,7 +63,7 @@ def test_a_net_in_one_place_is_refused(tmp_path):
 
 
 def test_coordinates_whose_squares_overflow_are_told_without_a_warning(tmp_path):
-    document = with_knots(presets()["fig5"].document, Knots(s=1e-120))
+    document = set_all_knots(presets()["fig5"].document, Knots(s=1e-120))
     (tmp_path / "a.qovr").write_text(document_to_json(replace(document, formulation=Formulation.INTERPOLATING)))
     run = qovr("compare", "a.qovr", "--json", cwd=tmp_path)
     assert (run.code, run.err) == (0, "")
