@@ -16,8 +16,8 @@ from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
 from qovr_core.laboratory.closest import closest_points
+from qovr_core.laboratory.shape_measures import Joints, bending_energy, interior_joints, joints, largest_distance
 from qovr_core.laboratory.splines import TensorSurface, b_spline, bezier, catmull_rom, nurbs
-from qovr_core.laboratory.surface_measures import Joints, bending_energy, interior_joints, joints, largest_distance
 from qovr_core.patch import Edge
 from qovr_core.pipeline import align_patch, default_layer
 

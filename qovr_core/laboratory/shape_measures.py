@@ -1,4 +1,4 @@
-"""Measures of one surface, or of two: distance, bending energy, and what jumps where its polynomials meet."""
+"""Measures of one surface, or of two: jumps at joints, bending energy, the largest distance."""
 
 from __future__ import annotations
 
@@ -21,7 +21,10 @@ _FIRST_NODES, _MOST_NODES = 24, 384
 """Gauss-Legendre nodes each way and piece: doubled until the energy settles, or given up."""
 
 _ENERGY_SETTLED = 1e-6
-"""Part of itself, or of the energy of a whole sphere, 8 pi, by which the energy may still change; it has no unit."""
+"""Part of itself by which the energy may still change under doubled nodes."""
+
+_NO_ENERGY = 1e-12
+"""Less than this is the rounding of a plane; a whole sphere of any size has 8 pi."""
 
 
 @dataclass(frozen=True)
@@ -80,7 +83,7 @@ def bending_energy(surface: ParametricSurface, breaks: tuple[Array, Array]) -> f
     nodes, before = _FIRST_NODES, np.nan
     while nodes <= _MOST_NODES:
         energy = _energy(surface, breaks, nodes)
-        if abs(energy - before) <= _ENERGY_SETTLED * max(energy, 8 * np.pi):
+        if abs(energy - before) <= _ENERGY_SETTLED * energy + _NO_ENERGY:
             return energy
         nodes, before = 2 * nodes, energy
     return np.nan
