@@ -78,7 +78,7 @@ def test_every_command_but_screenshot_runs_without_qt(tmp_path):
     assert not loaded_by(code) & WINDOW_LIBRARIES
 
 
-def test_a_wheel_brings_both_packages_and_the_resources(tmp_path):
+def test_a_wheel_brings_every_module_and_the_resources(tmp_path):
     build = [sys.executable, "-m", "pip", "wheel", "--quiet", "--no-deps", "--no-build-isolation", "--wheel-dir"]
     subprocess.run([*build, str(tmp_path), str(copy_of_the_sources(tmp_path))], check=True, capture_output=True)
     (wheel,) = tmp_path.glob("*.whl")
@@ -90,8 +90,10 @@ def test_a_wheel_brings_both_packages_and_the_resources(tmp_path):
     assert resources <= {
         path.relative_to(installed / "qovr_resources") for path in (installed / "qovr_resources").rglob("*")
     }
+    names = [".".join(path.relative_to(ROOT).with_suffix("").parts) for path in MODULES]
     code = (
         f"import sys; sys.path.insert(0, r'{installed}')\n"
+        f"from importlib import import_module\nfor name in {names!r}: import_module(name)\n"
         "import qovr_core, qovr_app\nfrom qovr_core.presets import presets\n"
         f"assert qovr_core.__file__.startswith(r'{installed}')\n"
         "assert len(presets()) == 10\n"
