@@ -8,7 +8,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.influence_numbers import DISTANCE
-from qovr_app.laboratory.plots import Plot, coloured, pen
+from qovr_app.laboratory.plots import Plot, coloured
 from qovr_app.view3d.theme import Rgb, Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence
@@ -65,11 +65,11 @@ class FalloffPlot(Plot):
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
         self._samples.setSymbolBrush(QColor(*theme.quiet_ink, _DOT_OPACITY))
-        self.envelope.setPen(pen(theme.accent, _LINE_PIXELS))
-        dashed = pen(self._exponential_colour, _LINE_PIXELS)
+        self.envelope.setPen(self.pen(theme.accent, _LINE_PIXELS))
+        dashed = self.pen(self._exponential_colour, _LINE_PIXELS)
         dashed.setDashPattern(_DASHES)
         self.exponential.setPen(dashed)
-        self._reading.setPen(pen(theme.ink))
+        self._reading.setPen(self.pen(theme.ink))
 
     def show_logarithmic(self, is_logarithmic: bool) -> None:
         """Choose the scale of the displacement."""
