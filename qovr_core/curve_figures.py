@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -21,7 +21,6 @@ _PARTS = SERIES[1:4]
 _INK, _QUIET, _WARN = "#20242a", "#70767f", "#b06800"
 _LETTERS = "rst"
 
-_SIZE_INCHES = (5.0, 3.7)
 _FONT, _SMALL = 9, 8
 _GAP_POINTS = 5.0
 _ROOM = 0.16
@@ -37,36 +36,55 @@ _AUXILIARY = {"linewidth": 1.0, "dashes": (4, 2.5), "label": "auxiliary segment"
 _SENSITIVITY = (0.3, 0.4, 0.5, 0.6, 0.7)
 
 
-def draw_parabolas(curve: OneCurve) -> Any:
+@dataclass(frozen=True)
+class Sheet:
+    """How a curve is laid on paper.
+
+    Parameters
+    ----------
+    view : in which plane
+    size : width and height in inches
+    equal_scales : whether both directions of the plane are drawn at one scale
+    """
+
+    view: View = View.BEST
+    size: tuple[float, float] = (5.0, 3.7)
+    equal_scales: bool = True
+
+
+_PAPER, _FOUR_CURVES = Sheet(), Sheet(size=(6.4, 4.8))
+
+
+def draw_parabolas(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     """Return Figure 1a: the three parabolas, each by itself, and the segments of them that are blended."""
-    figure, axes, plane = _drawing(curve)
+    figure, axes, plane = _drawing(curve, sheet)
     for p in range(3):
         _draw_part(axes, plane, curve, p, (0.0, 1.0), **_WHOLE)
         _draw_part(axes, plane, curve, p, curve.blended[p], **_BLENDED)
     _draw_points(axes, plane, curve)
     _add_legend(figure, axes)
-    _settle(figure, axes, equal_scales=True)
+    _settle(figure, axes, equal_scales=sheet.equal_scales)
     _add_names(axes, plane, curve, [f"$P_{k}$" for k in range(5)])
     return figure
 
 
-def draw_knots(curve: OneCurve) -> Any:
+def draw_knots(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     """Return Figure 1b: the blended curve, the places of the internal knots, and the auxiliary segments."""
-    figure, axes, plane = _drawing(curve)
+    figure, axes, plane = _drawing(curve, sheet)
     _draw_blend(axes, plane, curve)
     _add_legend(figure, axes)
-    _settle(figure, axes, equal_scales=True)
+    _settle(figure, axes, equal_scales=sheet.equal_scales)
     _add_names(axes, plane, curve, _knot_names(curve))
     return figure
 
 
-def draw_sensitivity(curve: OneCurve) -> Any:
+def draw_sensitivity(curve: OneCurve, sheet: Sheet = _FOUR_CURVES) -> Any:
     """Return Figure 1c: the curve with several values of each of its four knots, the others as they are."""
     from matplotlib import colormaps
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(6.4, 4.8), layout="constrained")
-    plane = plane_of(curve.points, View.BEST)
+    figure = Figure(figsize=sheet.size, layout="constrained")
+    plane = plane_of(curve.points, sheet.view)
     colours = colormaps["viridis"](np.linspace(0, 0.9, len(_SENSITIVITY)))
     grid = figure.subplots(2, 2, sharex=True, sharey=True)
     for axes, name in zip(grid.flat, "rsut", strict=True):
@@ -76,27 +94,21 @@ def draw_sensitivity(curve: OneCurve) -> Any:
         _draw_points(axes, plane, curve)
         axes.set_title(f"${name}_{{ip}}$", fontsize=_FONT + 1)
         _style(axes, plane, outer_only=True)
-        axes.set_aspect("equal", adjustable="box")
+        if sheet.equal_scales:
+            axes.set_aspect("equal", adjustable="box")
         axes.margins(_ROOM)
     handles, labels = grid[0, 0].get_legend_handles_labels()
     _legend(figure, handles, labels, title="value of the knot", title_fontsize=_SMALL)
     return figure
 
 
-def draw_curve(curve: OneCurve, view: View, size: tuple[float, float], *, equal_scales: bool) -> Any:
-    """Return one curve with all its parts: the curve in a plane, its weights, and its transformations.
-
-    Parameters
-    ----------
-    view : in which plane
-    size : width and height in inches
-    equal_scales : whether both directions of the plane are drawn at one scale
-    """
+def draw_curve(curve: OneCurve, sheet: Sheet) -> Any:
+    """Return one curve with all its parts: the curve in a plane, its weights, and its transformations."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=size, layout="constrained")
+    figure = Figure(figsize=sheet.size, layout="constrained")
     parts = figure.subplot_mosaic([["curve", "blends"], ["curve", "weights"], ["curve", "places"]], width_ratios=(5, 4))
-    plane = plane_of(curve.points, view)
+    plane = plane_of(curve.points, sheet.view)
     axes = parts["curve"]
     _draw_blend(axes, plane, curve)
     _frame(axes, plane, curve)
@@ -109,7 +121,7 @@ def draw_curve(curve: OneCurve, view: View, size: tuple[float, float], *, equal_
         parts[name].tick_params(labelbottom=False)
     _add_legend(figure, axes)
     parts["places"].set_xlabel(f"${curve.parameter}$", fontsize=_SMALL)
-    _settle(figure, axes, equal_scales=equal_scales)
+    _settle(figure, axes, equal_scales=sheet.equal_scales)
     _add_names(axes, plane, curve, _knot_names(curve))
     return figure
 
@@ -117,12 +129,12 @@ def draw_curve(curve: OneCurve, view: View, size: tuple[float, float], *, equal_
 # The curve in its plane
 
 
-def _drawing(curve: OneCurve) -> tuple[Any, Any, Plane]:
+def _drawing(curve: OneCurve, sheet: Sheet) -> tuple[Any, Any, Plane]:
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=_SIZE_INCHES, layout="constrained")
+    figure = Figure(figsize=sheet.size, layout="constrained")
     axes = figure.add_subplot()
-    plane = plane_of(curve.points, View.BEST)
+    plane = plane_of(curve.points, sheet.view)
     _frame(axes, plane, curve)
     return figure, axes, plane
 

@@ -128,12 +128,17 @@ def draw_figure(surface: Surface, *, layer: str, camera: str) -> Any:
     return figure
 
 
-def draw_network(document: Document) -> Any:
-    """Return a matplotlib Figure of the ten curves C_i(u) and K_j(v) over their control net, as Figure 2."""
+def draw_network(document: Document, size: tuple[float, float] = _SIZE_INCHES) -> Any:
+    """Return a matplotlib Figure of the ten curves C_i(u) and K_j(v) over their control net, as Figure 2.
+
+    Parameters
+    ----------
+    size : width and height in inches
+    """
     from matplotlib.figure import Figure
     from matplotlib.patheffects import withStroke
 
-    figure = Figure(figsize=_SIZE_INCHES, layout="constrained")
+    figure = Figure(figsize=size, layout="constrained")
     axes: Any = figure.add_subplot(projection="3d", proj_type="ortho", computed_zorder=False)
     axes.view_init(**_CAMERAS["paper"])
     axes.set_box_aspect(None, zoom=_ZOOM["paper"])

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from functools import partial
-from pathlib import Path
-
 from PySide6.QtWidgets import QCheckBox, QComboBox, QGridLayout, QHBoxLayout, QVBoxLayout, QWidget
 
+from qovr_app.laboratory.curve_drawings import CurveDrawing, Drawing
 from qovr_app.laboratory.curve_functions import WeightsPlot
 from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
@@ -16,9 +14,8 @@ from qovr_app.panels.look import SPACE, look
 from qovr_app.panels.numbers import number_text
 from qovr_app.panels.parts import CompactButton
 from qovr_app.panels.symbols import symbol_html
-from qovr_app.view3d.figure import FigureOptions
 from qovr_app.view3d.theme import Theme
-from qovr_core import AlignedPatch, FileError, QovrError
+from qovr_core import AlignedPatch, QovrError
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
 from qovr_core.formulations import active_rows
@@ -28,13 +25,6 @@ from qovr_core.laboratory.planes import View
 _CURVES = [(direction, k) for direction in Direction for k in range(NET_SIZE)]
 _SUBSCRIPTS = "₀₁₂₃₄"
 _VIEWS = {View.BEST: "Best plane", View.XY: "x, y", View.XZ: "x, z", View.YZ: "y, z"}
-
-_SCREEN_DPI = 96
-_ROUNDING = 1e-6
-"""Part of a pixel without which a side in inches, multiplied again, could lose a whole one."""
-
-_LEAST_MILLIMETRES = (100, 75)
-"""A figure with four plots and their names has no room below this."""
 
 _TIPS = (
     """Thin: the parabolas Q_0, Q_1, Q_2 between their points
@@ -69,6 +59,11 @@ class CurvePanel(LaboratoryPanel):
         self._view.addItems(_VIEWS.values())
         self._equal = QCheckBox("Equal scales", self, objectName="laboratory.curve.equal_scales")
         self._equal.setToolTip("Draw both directions of the plane at one scale")
+        self._drawing = QComboBox(self, objectName="laboratory.curve.drawing", accessibleName="Figure to save")
+        self._drawing.setToolTip(
+            "What Save Figure writes: the curve as it is shown here, or as in the paper's Figures 1 and 2"
+        )
+        self._drawing.addItems(list(Drawing))
         self._geometry = GeometryPlot(self)
         weights = [symbol_html("w", str(p)) for p in range(3)]
         points = [symbol_html("b", str(k)) for k in range(5)]
@@ -121,7 +116,7 @@ class CurvePanel(LaboratoryPanel):
         return self._geometry, *self._functions
 
     def _arrange(self) -> None:
-        save = CompactButton("Save Figure…", "laboratory.curve.figure", "Write this curve as PNG, SVG or PDF", self)
+        save = CompactButton("Save Figure…", "laboratory.curve.figure", "Write it as PNG, SVG or PDF", self)
         save.clicked.connect(self._save_figure)
         head = QHBoxLayout()
         head.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
@@ -129,6 +124,7 @@ class CurvePanel(LaboratoryPanel):
         for widget in (self._choice, self._view, self._equal):
             head.addWidget(widget)
         head.addStretch(1)
+        head.addWidget(self._drawing)
         head.addWidget(save)
         grid = QGridLayout()
         grid.setSpacing(1)
@@ -226,26 +222,6 @@ class CurvePanel(LaboratoryPanel):
 
     def _save_figure(self) -> None:
         if self._curve is not None:
-            write = partial(_write, self._curve, self._chosen_view, self._equal.isChecked())
-            self.figure_requested.emit(self._curve.name, write)
-
-
-def _write(curve: OneCurve, view: View, equal_scales: bool, path: Path, options: FigureOptions) -> None:
-    """Write a curve as a figure.
-
-    Raises
-    ------
-    FileError : another suffix, a size at which nothing could be read, or a file that cannot be written
-    """
-    from qovr_core.curve_figures import draw_curve
-    from qovr_core.figures import write_figure
-
-    options.check(path)
-    width, height = options.millimetres
-    if width < _LEAST_MILLIMETRES[0] or height < _LEAST_MILLIMETRES[1]:
-        least = " x ".join(str(side) for side in _LEAST_MILLIMETRES)
-        raise FileError(f"{path}: {width:.0f} x {height:.0f} mm is too small for a curve; expected at least {least} mm")
-    dpi = options.dpi or _SCREEN_DPI
-    across, up = ((side + _ROUNDING) / dpi for side in options.pixels)
-    figure = draw_curve(curve, view, (across, up), equal_scales=equal_scales)
-    write_figure(figure, path, dpi=dpi, transparent=options.transparent)
+            kind, document = Drawing(self._drawing.currentText()), self._result.document
+            drawing = CurveDrawing(kind, self._curve, document, self._chosen_view, self._equal.isChecked())
+            self.figure_requested.emit(drawing.name, drawing.write)

@@ -7,9 +7,10 @@ import pytest
 
 from qovr_core import Document, DocumentError, Edge, EvaluationError, Formulation, Knots, Layer, align_patch
 from qovr_core.edits import set_points
-from qovr_core.laboratory import comparison
-from qovr_core.laboratory.comparison import Contender, Trial, bending_energy, compare, joints, largest_distance
+from qovr_core.laboratory import shape_measures
+from qovr_core.laboratory.comparison import Contender, Trial, compare
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
+from qovr_core.laboratory.shape_measures import bending_energy, joints, largest_distance
 from qovr_core.laboratory.splines import Basis, TensorSurface, b_spline, bezier, catmull_rom
 from qovr_core.presets import presets
 from support.documents import random_document, random_net
@@ -57,8 +58,10 @@ def test_a_plane_has_no_energy():
 def test_the_energy_is_settled_under_doubled_nodes_and_counts_every_piece():
     surface = catmull_rom(random_net(4))
     energy = bending_energy(surface, surface.breaks)
-    assert comparison._energy(surface, surface.breaks, 200) == pytest.approx(energy, rel=1e-6)
-    assert comparison._energy(surface, NO_JOINTS, 400) == pytest.approx(energy, rel=1e-3)  # across the joints: slowly
+    assert shape_measures._energy(surface, surface.breaks, 200) == pytest.approx(energy, rel=1e-6)
+    assert shape_measures._energy(surface, NO_JOINTS, 400) == pytest.approx(
+        energy, rel=1e-3
+    )  # across the joints: slowly
 
 
 def test_a_fold_has_no_finite_energy():

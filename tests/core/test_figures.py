@@ -10,7 +10,7 @@ import pytest
 from PIL import Image
 
 from qovr_core import SourceError, configure, curve_network
-from qovr_core.curve_figures import SERIES, draw_curve, draw_knots, draw_parabolas, draw_sensitivity
+from qovr_core.curve_figures import SERIES, Sheet, draw_curve, draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.edits import Direction
 from qovr_core.figures import draw_figure, draw_network, find_figures
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
@@ -164,7 +164,7 @@ def test_one_curve_of_a_document_is_drawn_with_its_weights(s, view):
     document = random_document(4, low=0.3, high=0.7)
     knots = replace(document.column_knots[2], s=s, u=0.5)
     curve = replace(curve_of(document, Direction.COLUMNS, 2), knots=knots)
-    figure = draw_curve(curve, view, (6.3, 4.7), equal_scales=True)
+    figure = draw_curve(curve, Sheet(view, (6.3, 4.7)))
     curve_axes, blends, weights, places = figure.axes
     plane = plane_of(curve.points, view)
     ((drawn, _),) = lines_of(curve_axes)["$K(v)$"]

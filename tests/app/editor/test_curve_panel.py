@@ -13,8 +13,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLabel, QSpinBox
 
 from qovr_app.appearance import set_theme
+from qovr_app.laboratory.curve_drawings import Drawing
+from qovr_app.view3d.figure import FigureOptions
 from qovr_app.view3d.settings import ThemeName
-from qovr_core import Formulation, curve_network
+from qovr_core import FileError, Formulation, curve_network
 from qovr_core.edits import Direction, KnotPlace, set_values
 from qovr_core.laboratory.one_curve import SAMPLES, curve_of
 from support.editor import wait_until
@@ -242,17 +244,22 @@ def test_the_curve_is_saved_as_a_figure(panel, home, monkeypatch, kind):
         assert path.read_bytes().startswith(b"%PDF")
 
 
-def test_a_figure_too_small_to_read_is_refused(panel, home):
-    from qovr_app.laboratory.curve_panel import _write
-    from qovr_app.view3d.figure import FigureOptions
-    from qovr_core import FileError
-    from qovr_core.laboratory.planes import View
-
-    with pytest.raises(FileError, match="50 x 40 mm is too small for a curve"):
-        _write(panel.curve, View.BEST, False, home / "a.png", FigureOptions(width=50, height=40))
+@pytest.mark.parametrize("drawing", Drawing)
+def test_what_is_saved_can_be_chosen(panel, home, drawing):
+    asked = []
+    panel.figure_requested.connect(lambda name, write: asked.append((name, write)))
+    panel.editor.find("laboratory.curve.drawing").setCurrentText(drawing)
+    panel.editor.click("laboratory.curve.figure")
+    ((name, write),) = asked
+    assert name == ("network" if drawing is Drawing.NETWORK else "C_4")
+    write(home / "a.svg", FigureOptions(width=120, height=90))
+    size = ET.parse(home / "a.svg").getroot().get("viewBox").split()[2:]
+    assert [float(side) / 72 * 25.4 for side in size] == pytest.approx([120, 90], abs=0.2)
+    with pytest.raises(FileError, match="50 x 40 mm is too small for this figure"):
+        write(home / "b.png", FigureOptions(width=50, height=40))
     with pytest.raises(FileError, match="by the file name's end"):
-        _write(panel.curve, View.BEST, False, home / "a.gif", FigureOptions())
-    assert list(home.iterdir()) == []
+        write(home / "b.gif", FigureOptions())
+    assert [path.name for path in home.iterdir()] == ["a.svg"]
 
 
 def test_every_part_has_a_spoken_name_and_is_seen(make_editor):
