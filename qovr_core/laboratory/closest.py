@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.differential import ParametricSurface
+from qovr_core.laboratory.rounding import in_own_unit, largest
 
 _SEED_SAMPLES = 65
 """Samples each way from which the search starts: a polynomial of degree 6 turns many times less often."""
@@ -22,7 +23,7 @@ _BESIDE = 1.5 * _CELL
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
 
-_LAST_STEP = 1e-7
+_LAST_STEP = 1e-8
 """A step shorter than this part of the surface's size leaves an error of about its square, which is rounding."""
 
 _MOST_STEPS = 60
@@ -33,6 +34,12 @@ _MOST_HALVINGS = 40
 
 _LEAST_CURVATURE = 1e-6
 """The Hessian's smaller eigenvalue is raised to this part of |S_u|^2 + |S_v|^2, where the distance is not convex."""
+
+_LEAST_SCALE = 1e-100
+"""|S_u|^2 + |S_v|^2 below this, of a surface of size 1, is rounding or a point; above it no product overflows."""
+
+_LEAST_OF_LARGEST = 1e-12
+"""And to this part of the larger eigenvalue, below which the smaller one is rounding."""
 
 Indices = npt.NDArray[np.intp]
 Flags = npt.NDArray[np.bool_]
@@ -74,6 +81,8 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     targets = np.asarray(points, dtype=np.float64)
     if targets.ndim != 2 or targets.shape[1] != 3:
         raise ValueError(f"points have shape {targets.shape}; expected (k, 3)")
+    surface, unit = in_own_unit(surface, beside=largest(targets))
+    targets = targets / unit
     seeds = _seed_grid(surface)
     distance, nearest = cKDTree(seeds.points).query(targets, _NEIGHBOURS)
     best = _descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
@@ -88,7 +97,7 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
         is_new = _apart(at, start[place]) & _apart(at, other.at[place])
         rivals = rivals.of(is_new & (rivals.promise < best.distance[rivals.target]))
     u, v = best.at.T.copy()
-    return Closest(*map(read_only, (u, v, best.feet, best.distance)))
+    return Closest(*map(read_only, (u, v, best.feet * unit, best.distance * unit)))
 
 
 @dataclass(frozen=True)
@@ -185,7 +194,7 @@ def _newton_steps(surface: ParametricSurface, at: Array, residual: Array) -> tup
     diagonal = tangents + np.stack([np.einsum(dot, residual, second) for second in (suu, svv)], axis=1)
     mixed = np.einsum(dot, su, sv) + np.einsum(dot, residual, suv)
     scale = tangents.sum(axis=1, keepdims=True)
-    scale = np.where(scale > 0, scale, 1.0)
+    scale = np.maximum(scale, _LEAST_SCALE)
     step = _bounded_steps(at, gradient / scale, diagonal / scale, mixed / scale[:, 0])
     return step, (np.abs(step) * np.sqrt(tangents)).sum(axis=1)
 
@@ -198,8 +207,9 @@ def _bounded_steps(at: Array, gradient: Array, diagonal: Array, mixed: Array) ->
     held = _leaves(at, -gradient)
     gradient = np.where(held, 0.0, gradient)
     mixed = np.where(held.any(axis=1), 0.0, mixed)
-    smaller_eigenvalue = diagonal.mean(axis=1) - np.hypot(np.diff(diagonal, axis=1)[:, 0] / 2, mixed)
-    diagonal = diagonal + np.maximum(_LEAST_CURVATURE - smaller_eigenvalue, 0.0)[:, None]
+    middle, reach = diagonal.mean(axis=1), np.hypot(np.diff(diagonal, axis=1)[:, 0] / 2, mixed)
+    least = np.maximum(_LEAST_CURVATURE, _LEAST_OF_LARGEST * (np.abs(middle) + reach))
+    diagonal = diagonal + np.maximum(least - (middle - reach), 0.0)[:, None]
     determinant = diagonal[:, 0] * diagonal[:, 1] - mixed**2
     step = (mixed[:, None] * gradient[:, ::-1] - diagonal[:, ::-1] * gradient) / determinant[:, None]
     alone = _leaves(at, step).any(axis=1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import hypot
 
 import numpy as np
 
@@ -120,7 +121,7 @@ class Influence:
 def net_size(document: Document) -> float:
     """Return the diagonal of the box of the control points."""
     net = document.control_points.reshape(-1, 3)
-    return float(np.linalg.norm(np.ptp(net, axis=0)))
+    return hypot(*np.ptp(net, axis=0))
 
 
 def default_amount(document: Document, place: KnotPlace) -> float:
