@@ -64,6 +64,7 @@ class Workspace(LineSplitter):
             zone.show_documents(state.document, state.draft)
         self.surface.show_state(state.document, state.result, is_stale=state.is_stale)
         self.place.set_stale(state.is_stale)
+        self.laboratory.set_stale(state.is_stale)
 
     def set_focus(self, focus: Focus) -> None:
         """Take note of what the user has turned to; letting go of a point leaves a knot in focus."""

@@ -58,6 +58,9 @@ def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
         # The reader has gone, as in "qovr info ... | head": not an error, and nothing may be flushed any more.
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return DONE
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return _complain(f"the answer cannot be written: {error.strerror}")
 
 
 def build_parser() -> tuple[argparse.ArgumentParser, Any]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from math import hypot
 from typing import Any
 
 import numpy as np
@@ -61,7 +62,7 @@ class Document:
     @property
     def net_size(self) -> float:
         """The size of the net: the diagonal of the control points' box."""
-        return float(np.linalg.norm(np.ptp(self.control_points, axis=(0, 1))))
+        return hypot(*np.ptp(self.control_points, axis=(0, 1)))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Document):

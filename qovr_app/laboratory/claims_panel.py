@@ -130,7 +130,7 @@ class ClaimsPanel(LaboratoryPanel):
         self._show_state(f"Deciding: {self._found} of {_ALL}")
         if self.is_current:
             self._stop()
-            self._show_state("Current for this document")
+            self._show_state("Every claim is decided")
 
     def _show_state(self, text: str) -> None:
         self._state.setText(text)

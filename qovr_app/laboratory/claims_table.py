@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QRect, QSize, Qt, Signal
+from PySide6.QtCore import QEvent, QModelIndex, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -58,6 +58,7 @@ class ClaimsTable(QTableWidget):
         self.setFrameShape(QTableWidget.Shape.NoFrame)
         self.setWordWrap(False)
         self._arrange_headers()
+        self._style_header()
         for row, claim in enumerate(CLAIMS):
             self._fill_row(row, claim)
         self.setCurrentCell(0, 1)
@@ -107,10 +108,20 @@ class ClaimsTable(QTableWidget):
             return
         super().keyPressEvent(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._style_header()
+
+    def _style_header(self) -> None:
+        """Style the header in the theme in force; what a style sheet has drawn once keeps its colours."""
+        self.horizontalHeader().setStyleSheet(
+            f"QHeaderView::section {{ border: none; background: palette(button); padding: {SPACE}px {2 * SPACE}px; }}"
+        )
+
     def _arrange_headers(self) -> None:
         self.setHorizontalHeaderLabels(["claim", *map(str, FORMULATIONS)])
         across, down = self.horizontalHeader(), self.verticalHeader()
-        across.setStyleSheet(f"QHeaderView::section {{ border: none; padding: {SPACE}px {2 * SPACE}px; }}")
         across.setHighlightSections(False)
         across.setSectionsClickable(False)
         across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
@@ -36,6 +36,7 @@ class ComparisonTable(QTableWidget):
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self._fill()
         self._arrange_headers()
+        self._style_header()
         self.refresh_colours()
 
     def show_contender(self, contender: Contender | None) -> None:
@@ -88,6 +89,11 @@ class ComparisonTable(QTableWidget):
         else:
             super().keyPressEvent(event)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._style_header()
+
     def sizeHint(self) -> QSize:
         down = self.verticalHeader().defaultSectionSize()
         return QSize(super().sizeHint().width(), self.horizontalHeader().sizeHint().height() + down * len(ROWS))
@@ -101,11 +107,16 @@ class ComparisonTable(QTableWidget):
                     item.setTextAlignment(_RIGHT)
                 self.setItem(row, column, item)
 
+    def _style_header(self) -> None:
+        """Style the header in the theme in force; what a style sheet has drawn once keeps its colours."""
+        self.horizontalHeader().setStyleSheet(
+            f"QHeaderView::section {{ border: none; background: palette(button); padding: {SPACE}px {SPACE}px; }}"
+        )
+
     def _arrange_headers(self) -> None:
         self.setHorizontalHeaderLabels(["measure", *(NAMES[contender] for contender in _CONTENDERS)])
         self.horizontalHeaderItem(0).setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         across, down = self.horizontalHeader(), self.verticalHeader()
-        across.setStyleSheet(f"QHeaderView::section {{ border: none; padding: {SPACE}px {SPACE}px; }}")
         across.setHighlightSections(False)
         across.setSectionsClickable(False)
         across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)

@@ -9,7 +9,7 @@ from typing import Any
 
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, QTimer, Signal
 from PySide6.QtGui import QAction, QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QStackedWidget, QTabBar, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QToolButton, QVBoxLayout, QWidget
 
 from qovr_app.actions import Command
 from qovr_app.appearance import theme
@@ -106,6 +106,9 @@ class LaboratoryPlace(QWidget):
         self._due = QTimer(self, singleShot=True, interval=0)
         self._due.timeout.connect(self._tell_panel)
         self._tabs = self._make_tabs()
+        self._stale = QLabel("older than what is set", self, objectName="laboratory.stale")
+        self._stale.setToolTip("All panels are of the surface configured last.")
+        self._stale.setVisible(False)
         self._stack = QStackedWidget(self)
         self._arrange()
 
@@ -135,6 +138,10 @@ class LaboratoryPlace(QWidget):
         """Give the room back to the view."""
         self.setVisible(False)
         self.panel_changed.emit("")
+
+    def set_stale(self, is_stale: bool) -> None:
+        """Say whether the panels show a surface that is not the document's."""
+        self._stale.setVisible(is_stale)
 
     def use_commands(self, commands: dict[str, QAction]) -> None:
         """Take the window's commands, for panels that offer one of them."""
@@ -203,6 +210,7 @@ class LaboratoryPlace(QWidget):
         head = QHBoxLayout()
         head.setContentsMargins(SPACE, SPACE // 2, SPACE, 0)
         head.addWidget(self._tabs, 1)
+        head.addWidget(self._stale)
         head.addWidget(close)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -6,6 +6,7 @@ import argparse
 import re
 from typing import Any
 
+from qovr_core.checks import LARGEST_MAGNITUDE
 from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
 from qovr_core.files import read_source
 from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT, compare
@@ -56,6 +57,8 @@ def _weight(text: str) -> float:
         value = float(text)
     except ValueError:
         value = 0.0
-    if not 0 < value < float("inf"):
-        raise argparse.ArgumentTypeError(f"'{text}' is no weight; expected a positive number, as 4")
+    if not 0 < value <= LARGEST_MAGNITUDE:
+        raise argparse.ArgumentTypeError(
+            f"'{text}' is no weight; expected a positive number up to {LARGEST_MAGNITUDE:g}, as 4"
+        )
     return value

@@ -8,6 +8,7 @@ import numpy as np
 
 from qovr_core.arrays import Array, Flags, Indices, read_only
 from qovr_core.differential import ParametricSurface
+from qovr_core.laboratory.rounding import in_own_unit, largest
 
 _SEED_SAMPLES = 65
 """Samples each way from which the search starts: a polynomial of degree 6 turns many times less often."""
@@ -16,9 +17,6 @@ _CELL = 1 / (_SEED_SAMPLES - 1)
 
 _BESIDE = 1.5 * _CELL
 """Parameters no further apart than this in u and v are taken to lead to one foot."""
-
-_LARGEST = 1e100
-"""Coordinates beyond this are measured in units of their own: their squares, or their derivatives', could overflow."""
 
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
@@ -35,8 +33,11 @@ _MOST_HALVINGS = 40
 _LEAST_CURVATURE = 1e-6
 """The Hessian's smaller eigenvalue is raised to this part of |S_u|^2 + |S_v|^2, where the distance is not convex."""
 
-_ROUNDING = 1e-12
-"""It is raised to this part of the Hessian at least: with less, rounding could make the determinant 0."""
+_LEAST_SCALE = 1e-100
+"""|S_u|^2 + |S_v|^2 below this, of a surface of size 1, is rounding or a point; above it no product overflows."""
+
+_LEAST_OF_LARGEST = 1e-12
+"""And to this part of the larger eigenvalue, below which the smaller one is rounding."""
 
 
 @dataclass(frozen=True)
@@ -77,11 +78,9 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     targets = np.asarray(points, dtype=np.float64)
     if targets.ndim != 2 or targets.shape[1] != 3:
         raise ValueError(f"points have shape {targets.shape}; expected (k, 3)")
+    surface, unit = in_own_unit(surface, beside=largest(targets))
+    targets = targets / unit
     seeds = _seed_grid(surface)
-    size = max(np.abs(seeds.points).max(), np.abs(targets).max(initial=0.0))
-    if size > _LARGEST:
-        found = closest_points(surface.transformed(np.diag([1, 1, 1, size]) / size), targets / size)
-        return Closest(found.u, found.v, read_only(found.points * size), read_only(found.distance * size))
     distance, nearest = cKDTree(seeds.points).query(targets, _NEIGHBOURS)
     best = _descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
     candidates = _candidates(seeds, targets, distance, nearest, best)
@@ -95,7 +94,7 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
         is_new = _apart(at, start[place]) & _apart(at, other.at[place])
         candidates = candidates.of(is_new & (candidates.promise < best.distance[candidates.target]))
     u, v = best.at.T.copy()
-    return Closest(*map(read_only, (u, v, best.feet, best.distance)))
+    return Closest(*map(read_only, (u, v, best.feet * unit, best.distance * unit)))
 
 
 @dataclass(frozen=True)
@@ -193,7 +192,7 @@ def _newton_steps(surface: ParametricSurface, at: Array, residual: Array) -> tup
     diagonal = tangents + np.stack([np.einsum(dot, residual, second) for second in (suu, svv)], axis=1)
     mixed = np.einsum(dot, su, sv) + np.einsum(dot, residual, suv)
     scale = tangents.sum(axis=1, keepdims=True)
-    scale = np.where(scale > 0, scale, 1.0)
+    scale = np.maximum(scale, _LEAST_SCALE)
     step = _bounded_steps(at, gradient / scale, diagonal / scale, mixed / scale[:, 0])
     return step, (np.abs(step) * np.sqrt(tangents)).sum(axis=1)
 
@@ -206,9 +205,9 @@ def _bounded_steps(at: Array, gradient: Array, diagonal: Array, mixed: Array) ->
     held = _leaves(at, -gradient)
     gradient = np.where(held, 0.0, gradient)
     mixed = np.where(held.any(axis=1), 0.0, mixed)
-    smaller_eigenvalue = diagonal.mean(axis=1) - np.hypot(np.diff(diagonal, axis=1)[:, 0] / 2, mixed)
-    least = np.maximum(_LEAST_CURVATURE, _ROUNDING * np.abs(diagonal).sum(axis=1))
-    diagonal = diagonal + np.maximum(least - smaller_eigenvalue, 0.0)[:, None]
+    middle, reach = diagonal.mean(axis=1), np.hypot(np.diff(diagonal, axis=1)[:, 0] / 2, mixed)
+    least = np.maximum(_LEAST_CURVATURE, _LEAST_OF_LARGEST * (np.abs(middle) + reach))
+    diagonal = diagonal + np.maximum(least - (middle - reach), 0.0)[:, None]
     determinant = diagonal[:, 0] * diagonal[:, 1] - mixed**2
     step = (mixed[:, None] * gradient[:, ::-1] - diagonal[:, ::-1] * gradient) / determinant[:, None]
     alone = _leaves(at, step).any(axis=1)

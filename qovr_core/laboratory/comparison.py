@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Generator, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
-from math import isfinite
 
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.checks import described
+from qovr_core.checks import LARGEST_MAGNITUDE, described
 from qovr_core.differential import ParametricSurface
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
 from qovr_core.laboratory.closest import closest_points
+from qovr_core.laboratory.rounding import in_own_unit
 from qovr_core.laboratory.shape_measures import Joints, bending_energy, interior_joints, joints, largest_distance
 from qovr_core.laboratory.splines import TensorSurface, b_spline, bezier, catmull_rom, nurbs
 from qovr_core.patch import Edge
@@ -91,7 +91,7 @@ class Trial:
 
     Raises
     ------
-    DocumentError : there is no such point, or the weight is not positive and finite
+    DocumentError : there is no such point, or the weight is not positive or beyond 1e12
     EvaluationError : all control points are in one place, so that no length measures the motion
     """
 
@@ -102,8 +102,8 @@ class Trial:
     def __post_init__(self) -> None:
         if not (len(self.point) == 2 and all(index in range(NET_SIZE) for index in self.point)):
             raise DocumentError("the point", described(list(self.point)), "i and j, each from 0 to 4")
-        if not (isfinite(self.weight) and self.weight > 0):
-            raise DocumentError("the weight", described(self.weight), "a positive number")
+        if not 0 < self.weight <= LARGEST_MAGNITUDE:
+            raise DocumentError("the weight", described(self.weight), f"a positive number up to {LARGEST_MAGNITUDE:g}")
         if self.document.net_size == 0:
             raise EvaluationError("the control points all lie in one place; expected a net of some size to compare")
 
@@ -186,13 +186,14 @@ def _measure(trial: Trial, contender: Contender, qovr: ParametricSurface) -> Gen
     """Measure one surface, piece by piece."""
     surface, moved = (trial.surface(contender, moved=moved) for moved in (False, True))
     u = np.linspace(0.0, 1.0, _MOTION_SAMPLES)
-    motion = np.linalg.norm(moved.points(u, u) - surface.points(u, u), axis=2)
-    areas = _areas(surface, u)
+    in_unit, unit = in_own_unit(surface)
+    motion = np.linalg.norm((moved.points(u, u) - surface.points(u, u)) / unit, axis=2) * unit
+    areas = _areas(in_unit, u)
     yield
     inner = trial.document.control_points[1:-1, 1:-1].reshape(-1, 3)
     breaks = interior_joints(surface)
     from_points, jumps = closest_points(surface, inner).distance.max(), joints(surface, breaks)
-    energy = bending_energy(surface, breaks)
+    energy = bending_energy(in_unit, breaks)
     yield
     from_qovr = 0.0 if contender is Contender.QOVR else largest_distance(surface, qovr)
     yield

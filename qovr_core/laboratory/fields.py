@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
+from math import hypot
 
 import numpy as np
 import numpy.typing as npt
@@ -140,6 +141,6 @@ def field_rounding(field: Field, points: Array) -> float:
     points : (..., 3) of the surface, for its size and its distance from the origin
     """
     flat = points.reshape(-1, 3)
-    largest, extent = float(np.abs(flat).max()), float(np.linalg.norm(np.ptp(flat, axis=0)))
+    largest, extent = float(np.abs(flat).max()), hypot(*np.ptp(flat, axis=0))
     size = extent or largest or 1.0
     return _ROUNDING * (largest / size or 1.0) * size ** FIELDS[field].length_power

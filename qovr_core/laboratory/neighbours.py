@@ -10,6 +10,7 @@ import numpy as np
 from qovr_core import bernstein
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
+from qovr_core.errors import EvaluationError
 from qovr_core.formulations import build_patch
 from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
 from qovr_core.patch import PATCH_DEGREE
@@ -22,6 +23,9 @@ _SHIFT = 2
 
 _DRAWN = 0.25
 """Drawn points leave the affine continuation by up to this part of the net's longest side."""
+
+_LARGEST_TO_CONTINUE = 2.5e11
+"""A document holds coordinates up to 1e12, and its continuation is less than four times as large."""
 
 _ORDERS = 3
 """Position, first and second cross derivative."""
@@ -104,8 +108,17 @@ def joints(document: Document, continuation: Continuation) -> tuple[Joint, Joint
 
     The neighbour across u takes the row knots of the document, the column knots of its K_2, K_3, K_4 for its K_0,
     K_1, K_2, and those of K_3 and K_4 for its new curves; across v likewise.
+
+    Raises
+    ------
+    EvaluationError : the net is so large that what goes on from it would be no document
     """
     net = document.control_points
+    if largest(net) > _LARGEST_TO_CONTINUE:
+        raise EvaluationError(
+            f"the net reaches out to {largest(net):.3g}; "
+            f"expected at most {_LARGEST_TO_CONTINUE:g}, so that a neighbour fits beside it"
+        )
     columns = document.column_knots[_SHIFT:] + document.column_knots[-_SHIFT:]
     rows = document.row_knots[_SHIFT:] + document.row_knots[-_SHIFT:]
     across_u = _continued(net.swapaxes(0, 1), continuation).swapaxes(0, 1)

@@ -101,7 +101,7 @@ def test_a_point_and_a_line_are_surfaces_too():
     assert closest_points(line, points).distance == pytest.approx([0, np.sqrt(20), np.sqrt(5)], abs=1e-13)
 
 
-@pytest.mark.parametrize("scale", [1e-6, 1e6, 1e200])
+@pytest.mark.parametrize("scale", [1e-250, 1e-6, 1e6, 1e250])
 def test_size_changes_nothing(scale):
     document = random_document(7)
     patch = align_patch(document).patch

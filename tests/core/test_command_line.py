@@ -154,6 +154,19 @@ def test_a_reader_that_leaves_early_is_no_error():
     assert done.stderr == ""
 
 
+def test_an_answer_that_cannot_be_written_is_one_line():
+    done = subprocess.run(
+        f"'{QOVR}' info paper:fig5 > /dev/full",
+        shell=True,
+        env=environment(),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert done.returncode == 2
+    assert done.stderr == "qovr: the answer cannot be written: No space left on device\n"
+
+
 def on_a_terminal(*arguments, cwd):
     """Run the command on a pseudo-terminal and return its exit code and what stood there."""
     pid, terminal = pty.fork()

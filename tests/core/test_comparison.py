@@ -304,10 +304,24 @@ def test_points_that_are_none(point):
         compare(flat(), point)
 
 
-@pytest.mark.parametrize("weight", [0, -1, np.nan, np.inf])
+@pytest.mark.parametrize("weight", [0, -1, np.nan, np.inf, 1e13])
 def test_weights_that_are_none(weight):
     with pytest.raises(DocumentError, match=r"the weight is .*; expected a positive number"):
         compare(flat(), weight=weight)
+
+
+@pytest.mark.parametrize("u", [1e-16, 1e-50, 1e-100])
+def test_a_surface_blown_up_by_its_knots_is_measured_without_a_warning(u):
+    blown_up = replace(flat(), row_knots=(Knots(0.5, 0.5, u, 0.5),) * 5, column_knots=(Knots(0.5, u, 0.5, 0.5),) * 5)
+    for formulation in Formulation:
+        measures = compare(replace(blown_up, formulation=formulation)).measures[Contender.QOVR]
+        assert np.isfinite([measures.largest_motion, measures.distance_from_points, *measures.shares]).all()
+
+
+def test_a_very_small_net_has_a_size():
+    net = 1e-200 * random_document(3).control_points
+    small, unit = compare(Document(net)), compare(Document(1e200 * net))
+    assert small.measures[Contender.BEZIER].shares == pytest.approx(unit.measures[Contender.BEZIER].shares)
 
 
 def test_a_net_in_one_place():

@@ -1,6 +1,6 @@
 """A piece of a sphere in closed form, and curvatures by another way than the program's."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -34,6 +34,9 @@ class SphericalPatch:
 
     def normals(self, u, v):
         return self.points(u, v) / self.radius
+
+    def transformed(self, matrix):
+        return replace(self, radius=self.radius * matrix[0][0])  # the same factor along every axis is all it knows
 
     def curvature(self, u, v):
         orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))

@@ -90,7 +90,7 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
         lines = [item.data(Qt.ItemDataRole.UserRole + k) for k in range(2)]
         assert lines[0] == f"{MARKS[finding.verdict]} {finding.verdict}"
         assert lines[1].startswith("here holds" if finding.here.holds else "here fails")
-    assert state(lab) == "Current for this document"
+    assert state(lab) == "Every claim is decided"
 
 
 def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, spin, steps):

@@ -1,7 +1,7 @@
 """The laboratory's place: opened, closed, told the latest and no more, and out of the way of everything else."""
 
 import pytest
-from PySide6.QtWidgets import QAbstractButton, QTabBar
+from PySide6.QtWidgets import QAbstractButton, QLabel, QTabBar, QTableWidget
 
 from qovr_app.appearance import set_theme
 from qovr_app.laboratory import place as place_module
@@ -191,3 +191,31 @@ def test_view_and_panel_have_room_in_a_small_window(make_editor):
 def test_tabs_and_closing_have_spoken_names(lab):
     assert lab.find("laboratory.tabs").accessibleName()
     assert lab.find("laboratory.close", QAbstractButton).accessibleName() == "Close the laboratory"
+
+
+def test_panels_of_a_surface_older_than_what_is_set_say_so(lab):
+    lab.trigger("laboratory_first")
+    note = lab.find("laboratory.stale", QLabel)
+    lab.trigger("live")
+    assert not note.isVisible()
+    lab.type_into("row_knots.C_4.r", "0.3")
+    lab.click("row_knots.set")
+    assert note.isVisible()
+    lab.click("surface.configure")
+    assert not note.isVisible()
+
+
+@pytest.mark.parametrize("name", ["comparison", "claims"])
+def test_headers_of_tables_follow_the_theme(make_editor, name):
+    editor = make_editor()
+    editor.trigger(f"laboratory_{name}")
+    header = editor.find(f"laboratory.{name}.table", QTableWidget).horizontalHeader()
+    try:
+        set_theme(ThemeName.DARK)
+        editor.settle()
+        assert header.grab().toImage().pixelColor(2, 2).lightness() < 100
+        set_theme(ThemeName.LIGHT)
+        editor.settle()
+        assert header.grab().toImage().pixelColor(2, 2).lightness() > 150
+    finally:
+        set_theme(ThemeName.LIGHT)
