@@ -7,24 +7,22 @@ import re
 from collections.abc import Iterator
 from dataclasses import replace
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.claims_table import FORMULATIONS, MARKS, ClaimsTable, number
+from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.panels.look import SPACE
 from qovr_app.panels.parts import CompactButton
 from qovr_app.panels.splitter import LineSplitter
 from qovr_app.panels.symbols import symbol_html
 from qovr_app.view3d.theme import Theme
-from qovr_core import AlignedPatch, Document, QovrError
+from qovr_core import AlignedPatch, Document
 from qovr_core.laboratory.claims import Finding
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import CLAIMS, verify_steps
-
-QUIET_MILLISECONDS = 300
-"""After the last change it is so long quiet before the verdicts are looked for again."""
 
 _ALL = len(CLAIMS) * len(FORMULATIONS)
 _FIRST_WIDTHS = (450, 200)
@@ -40,13 +38,11 @@ class ClaimsPanel(LaboratoryPanel):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._document: Document | None = None
-        self._steps: Iterator[Finding | None] | None = None
         self._found = 0
         self._row: list[Finding] = []
-        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MILLISECONDS)
-        self._quiet.timeout.connect(self._begin)
-        self._idle = QTimer(self, interval=0)
-        self._idle.timeout.connect(self._on_idle)
+        self._work = IdleWork(self._begin, self)
+        self._work.found.connect(self._on_found)
+        self._work.failed.connect(lambda error: self._show_state(f"No verdicts: {error}."))
         self._table = ClaimsTable(self)
         self._table.finding_changed.connect(self._show_finding)
         self._table.opening_requested.connect(self._open_first)
@@ -78,46 +74,30 @@ class ClaimsPanel(LaboratoryPanel):
         document = replace(result.document, formulation=FORMULATIONS[0], samples=SAMPLES)
         if document == self._document:
             return
-        self._stop()
         self._document, self._found = document, 0
         self._table.set_old()
         self._show_state("The document has changed: verdicts in grey are of the one before.")
-        self._quiet.start()
+        self._work.restart()
 
     def show_theme(self, _theme: Theme) -> None:
         self._table.viewport().update()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
-        self._stop()
+        self._work.stop()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         if self._document is not None and not self.is_current:
-            self._quiet.start()
+            self._work.restart()
 
     # Looking for verdicts
 
-    def _stop(self) -> None:
-        self._quiet.stop()
-        self._idle.stop()
-        self._steps = None
-
-    def _begin(self) -> None:
+    def _begin(self) -> Iterator[Finding | None]:
         self._found, self._row = 0, []
-        self._steps = verify_steps(self._document)
-        self._idle.start()
+        return verify_steps(self._document)
 
-    def _on_idle(self) -> None:
-        """Do one small piece."""
-        try:
-            finding = next(self._steps, None)
-        except QovrError as error:
-            self._stop()
-            self._show_state(f"No verdicts: {error}.")
-            return
-        if finding is None:
-            return
+    def _on_found(self, finding: Finding) -> None:
         self._found += 1
         self._row.append(finding)
         if len(self._row) == len(FORMULATIONS):  # whole rows: each repaint makes the window put itself together anew
@@ -129,7 +109,6 @@ class ClaimsPanel(LaboratoryPanel):
         self._row = []
         self._show_state(f"Deciding: {self._found} of {_ALL}")
         if self.is_current:
-            self._stop()
             self._show_state("Every claim is decided")
 
     def _show_state(self, text: str) -> None:

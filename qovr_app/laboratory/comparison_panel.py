@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QTimer
 from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
+from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.panels.look import SPACE
 from qovr_app.panels.parts import symbol
@@ -30,9 +30,6 @@ from qovr_core.laboratory.comparison import (
 )
 from qovr_core.laboratory.comparison_report import NAMES, copied_text
 
-QUIET_MILLISECONDS = 300
-"""After the last change it is so long quiet before the surfaces are measured again."""
-
 Seen = tuple[Contender, Placement, tuple[int, int], float] | None
 """What the view shows besides QOVR: a surface, where, the weighted point and its weight."""
 
@@ -50,13 +47,11 @@ class ComparisonPanel(LaboratoryPanel):
         self._document: Document | None = None
         self._point = DEFAULT_POINT
         self._trial: Trial | None = None
-        self._steps: Iterator[tuple[Contender, Measures] | None] | None = None
         self._measures: dict[Contender, Measures] = {}
         self._seen: Seen = None
-        self._quiet = QTimer(self, singleShot=True, interval=QUIET_MILLISECONDS)
-        self._quiet.timeout.connect(self._begin)
-        self._idle = QTimer(self, interval=0)
-        self._idle.timeout.connect(self._on_idle)
+        self._work = IdleWork(self._begin, self)
+        self._work.found.connect(self._on_found)
+        self._work.failed.connect(self._refuse)
         self._bar = ComparisonBar(self)
         self._bar.view_changed.connect(self._show_in_view)
         self._bar.weight_changed.connect(self._on_weight_changed)
@@ -99,12 +94,12 @@ class ComparisonPanel(LaboratoryPanel):
         super().showEvent(event)
         self._show_in_view()
         if self._document is not None and not self.is_current:
-            self._quiet.start()
+            self._work.restart()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         if not event.spontaneous():  # a minimised window comes back as it was
-            self._stop()
+            self._work.stop()
             self._bar.distances.restore()
             self._see(None)
 
@@ -132,42 +127,22 @@ class ComparisonPanel(LaboratoryPanel):
         self._restart()
 
     def _restart(self) -> None:
-        self._stop()
         self._measures = {}
         self._table.set_old()
         self._bar.set_copyable(False)
-        self._quiet.start()
+        self._work.restart()
 
-    def _stop(self) -> None:
-        self._quiet.stop()
-        self._idle.stop()
-        self._steps = None
-
-    def _begin(self) -> None:
+    def _begin(self) -> Iterator[tuple[Contender, Measures] | None]:
         self._measures = {}
-        try:
-            self._trial = Trial(self._document, self._point, self._bar.weight)
-        except QovrError as error:
-            self._refuse(error)
-            return
-        self._steps = comparison_steps(self._trial)
+        self._trial = Trial(self._document, self._point, self._bar.weight)
         self._state.setText(f"{_motion_html(self._trial)} Measuring …")
-        self._idle.start()
+        return comparison_steps(self._trial)
 
-    def _on_idle(self) -> None:
-        """Do one small piece."""
-        try:
-            found = next(self._steps)
-        except QovrError as error:
-            self._stop()
-            self._refuse(error)
-            return
-        if found is None:
-            return
-        contender, self._measures[contender] = found
-        self._table.show_measures(*found, self._trial.document.net_size)
+    def _on_found(self, found: tuple[Contender, Measures]) -> None:
+        contender, measures = found
+        self._measures[contender] = measures
+        self._table.show_measures(contender, measures, self._trial.document.net_size)
         if self.is_current:
-            self._stop()
             self._state.setText(f"{_motion_html(self._trial)} Lengths are in the net's units.")
             self._bar.set_copyable(True)
 

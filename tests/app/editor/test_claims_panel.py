@@ -7,8 +7,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowser
 
 from qovr_app.laboratory import claims_panel
-from qovr_app.laboratory.claims_panel import QUIET_MILLISECONDS, ClaimsPanel
+from qovr_app.laboratory.claims_panel import ClaimsPanel
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
+from qovr_app.laboratory.idle_work import QUIET_MILLISECONDS
 from qovr_core import Formulation
 from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
 
