@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.view3d.probe import set_default_format
+from qovr_app.view3d.gl_support import set_default_format
 from qovr_app.view3d.settings import ThemeName
 from qovr_app.view3d.theme import theme_of
 from qovr_core import QovrError

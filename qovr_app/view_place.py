@@ -9,7 +9,7 @@ from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from qovr_app.panels.look import look
-from qovr_app.view3d.probe import gl_support
+from qovr_app.view3d.gl_support import gl_support
 
 if TYPE_CHECKING:
     from qovr_app.view3d.view import View3D

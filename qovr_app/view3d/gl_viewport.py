@@ -16,9 +16,9 @@ from qovr_app.view3d.camera import Size
 from qovr_app.view3d.canvas import blank_image, painting
 from qovr_app.view3d.gl_buffer import smooth_edges
 from qovr_app.view3d.gl_layer import ImageLayer
+from qovr_app.view3d.gl_support import gl_support, viewport_format
 from qovr_app.view3d.overlay import draw_overlay
 from qovr_app.view3d.picture import Picture
-from qovr_app.view3d.probe import gl_support, viewport_format
 from qovr_app.view3d.surface_item import Shot, SurfaceItem
 
 

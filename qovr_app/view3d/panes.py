@@ -7,10 +7,10 @@ from collections.abc import Callable
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
+from qovr_app.view3d.gl_support import gl_support
 from qovr_app.view3d.navigator import Navigator
 from qovr_app.view3d.painter_viewport import PainterViewport
 from qovr_app.view3d.picture import Picture
-from qovr_app.view3d.probe import gl_support
 
 _GAP = 1
 """Pixels between two viewports."""

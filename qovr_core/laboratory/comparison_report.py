@@ -169,7 +169,7 @@ def copied_text(comparison: Comparison) -> str:
     lines = [("measure", *(NAMES[contender] for contender in columns))]
     for row in ROWS:
         values = (row.value(measures) for measures in columns.values())
-        lines.append((row.label, *("" if value is None else repr(value) for value in values)))
+        lines.append((row.label, *("" if value is None or not isfinite(value) else repr(value) for value in values)))
     return motion_text(comparison.trial) + "\n" + "".join("\t".join(line) + "\n" for line in lines)
 
 

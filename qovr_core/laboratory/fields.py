@@ -63,6 +63,7 @@ FIELDS = {
 """All fields, in the order in which they are offered."""
 
 
+@np.errstate(all="ignore")  # what overflows has no colour
 def field_values(
     field: Field,
     surface: ParametricSurface,

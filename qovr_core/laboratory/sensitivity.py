@@ -22,6 +22,7 @@ _ROWS_AT_A_TIME = 64
 """Rows of samples looked at together, so that a fine grid is never held as a whole."""
 
 
+@np.errstate(all="ignore")  # what overflows has no colour
 def knot_sensitivity(result: AlignedPatch, place: KnotPlace, layer: Layer) -> Patch:
     """Return dS/dknot as a patch whose points are vectors, in the document's units per unit of the knot.
 

@@ -127,6 +127,6 @@ def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., 
 @pytest.fixture
 def no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
     """Views made here have no OpenGL."""
-    from qovr_app.view3d import panes, probe
+    from qovr_app.view3d import gl_support, panes
 
-    monkeypatch.setattr(panes, "gl_support", lambda: probe.GlSupport(usable=False, reason="switched off"))
+    monkeypatch.setattr(panes, "gl_support", lambda: gl_support.GlSupport(usable=False, reason="switched off"))

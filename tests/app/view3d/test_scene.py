@@ -204,5 +204,5 @@ def test_a_scene_needs_no_samples():
 
 
 def test_settings_and_probe_load_no_drawing_library():
-    code = "import sys, qovr_app.view3d.settings, qovr_app.view3d.probe;sys.exit('OpenGL' in sys.modules)"
+    code = "import sys, qovr_app.view3d.settings, qovr_app.view3d.gl_support;sys.exit('OpenGL' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -195,7 +195,7 @@ def test_without_opengl_the_painter_says_why_once(make_view, document, no_opengl
 @pytest.mark.parametrize("platform", ["offscreen", "minimal"])
 def test_platforms_without_opengl_are_known(platform):
     code = (
-        "from qovr_app.view3d import probe; probe.set_default_format();"
+        "from qovr_app.view3d import gl_support; gl_support.set_default_format();"
         "from PySide6.QtWidgets import QApplication; import sys; app = QApplication(['', *sys.argv[1:]]);"
         "support = probe.gl_support(); assert not support.usable; print(support.reason)"
     )
