@@ -197,7 +197,7 @@ def test_platforms_without_opengl_are_known(platform):
     code = (
         "from qovr_app.view3d import gl_support; gl_support.set_default_format();"
         "from PySide6.QtWidgets import QApplication; import sys; app = QApplication(['', *sys.argv[1:]]);"
-        "support = probe.gl_support(); assert not support.usable; print(support.reason)"
+        "support = gl_support.gl_support(); assert not support.usable; print(support.reason)"
     )
     command = [sys.executable, "-c", code, "-platform", platform]
     run = subprocess.run(command, capture_output=True, text=True, check=False)
