@@ -102,7 +102,7 @@ def set_theme(name: ThemeName) -> None:
     """Make all windows light or dark, whatever the system says."""
     scheme = Qt.ColorScheme.Dark if name is ThemeName.DARK else Qt.ColorScheme.Light
     QGuiApplication.styleHints().setColorScheme(scheme)
-    QApplication.setPalette(_palette(name))  # some platforms have no scheme to set
+    _use_palette(name)  # some platforms have no scheme to set
 
 
 def theme() -> ThemeName:
@@ -112,7 +112,15 @@ def theme() -> ThemeName:
 
 def _follow_system() -> None:
     is_dark = QGuiApplication.styleHints().colorScheme() is Qt.ColorScheme.Dark
-    QApplication.setPalette(_palette(ThemeName.DARK if is_dark else ThemeName.LIGHT))
+    _use_palette(ThemeName.DARK if is_dark else ThemeName.LIGHT)
+
+
+def _use_palette(name: ThemeName) -> None:
+    palette = _palette(name)
+    QApplication.setPalette(palette)
+    # Fusion outlines a box to be checked darker than the window, where on dark nothing is seen.
+    palette.setColor(QPalette.ColorRole.Base, palette.color(QPalette.ColorRole.Light))
+    QApplication.setPalette(palette, "QCheckBox")
 
 
 def _palette(name: ThemeName) -> QPalette:
