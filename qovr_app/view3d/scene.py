@@ -21,7 +21,7 @@ from qovr_core.pipeline import parameters
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
 
-_FINEST = {Field.DISTANCE: (33, 101)}
+_FINEST = {Field.DISTANCE: (25, 101)}
 _FINEST_CURVATURE = (49, 201)
 """Samples a side of a field while something moves and at rest. Between them values are interpolated: fields are smooth,
 and a closest point costs as much as a hundred heights."""

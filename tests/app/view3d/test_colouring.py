@@ -154,7 +154,7 @@ def test_in_motion_costly_fields_are_taken_from_fewer_points(monkeypatch):
         for by in (ColourBy.HEIGHT, ColourBy.MEAN, ColourBy.DISTANCE):
             values = scene.values(Field(by.value), (201, 201), moving=moving)
             assert values.shape == (201, 201)
-    assert sizes == [(201, 201), (49, 49), (33, 33), (201, 201), (101, 101)]  # the heights of rest are those of motion
+    assert sizes == [(201, 201), (49, 49), (25, 25), (201, 201), (101, 101)]  # the heights of rest are those of motion
 
 
 def test_spreading_is_linear_and_keeps_what_is_undefined_to_itself():
