@@ -40,8 +40,7 @@ class LaboratoryPanel(QWidget):
         """Take the window's commands by name, once; panels that need none of them do nothing."""
 
     def show_result(self, result: AlignedPatch) -> None:
-        """Show a result."""
-        raise NotImplementedError
+        """Show a result; every panel does it in its own way."""
 
     def show_focus(self, focus: Focus) -> None:
         """Show what belongs to the knot or point in focus; panels that have nothing to do with it do nothing."""
