@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from qovr_core.laboratory.fields import Field
+
 
 class Layer(StrEnum):
     """Which surface is shown; ``BOTH`` puts the two side by side with linked cameras."""
@@ -26,13 +28,13 @@ class Style(StrEnum):
 class ColourBy(StrEnum):
     """What the colours of the surface say: a field by its name, or a pattern that follows the camera."""
 
-    HEIGHT = "height"
-    GAUSSIAN = "gaussian"
-    MEAN = "mean"
-    LARGEST = "largest"
-    SMALLEST = "smallest"
-    DISTANCE = "distance"
-    SENSITIVITY = "sensitivity"
+    HEIGHT = Field.HEIGHT.value
+    GAUSSIAN = Field.GAUSSIAN.value
+    MEAN = Field.MEAN.value
+    LARGEST = Field.LARGEST.value
+    SMALLEST = Field.SMALLEST.value
+    DISTANCE = Field.DISTANCE.value
+    SENSITIVITY = Field.SENSITIVITY.value
     ZEBRA = "zebra"
     ISOPHOTES = "isophotes"
 
