@@ -6,11 +6,11 @@ import argparse
 import sys
 from typing import TYPE_CHECKING
 
-from qovr_app.screenshot import add_screenshot_command
+from qovr_app.window.screenshot import add_screenshot_command
 from qovr_core import cli
 
 if TYPE_CHECKING:
-    from qovr_app.main_window import MainWindow
+    from qovr_app.window.main_window import MainWindow
 
 _EDIT = "edit"
 
@@ -39,9 +39,9 @@ def create_window(path: str | None = None) -> MainWindow:
     ------
     QovrError : the source cannot be read
     """
-    from qovr_app.main_window import MainWindow
-    from qovr_app.preferences import Preferences
-    from qovr_app.recovery import RecoveryStore
+    from qovr_app.window.main_window import MainWindow
+    from qovr_app.window.preferences import Preferences
+    from qovr_app.window.recovery import RecoveryStore
 
     window = MainWindow(None if path is None else str(path), Preferences())
     window.protect(RecoveryStore())
@@ -49,7 +49,7 @@ def create_window(path: str | None = None) -> MainWindow:
 
 
 def _edit(arguments: argparse.Namespace) -> int:
-    from qovr_app.appearance import make_application
+    from qovr_app.window.application import make_application
 
     application = make_application(sys.argv)
     window = create_window(arguments.source)

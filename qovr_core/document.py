@@ -14,7 +14,7 @@ import numpy.typing as npt
 from qovr_core.arrays import Array, read_only
 from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples, described
 from qovr_core.errors import DocumentError
-from qovr_core.knots import Knots
+from qovr_core.geometry.knots import Knots
 
 NET_SIZE = 5
 """Rows and columns of the control net."""

@@ -12,7 +12,7 @@ import numpy.typing as npt
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document, Formulation
 from qovr_core.errors import DocumentError
-from qovr_core.knots import Knots, knot_array
+from qovr_core.geometry.knots import Knots, knot_array
 
 
 class Direction(StrEnum):

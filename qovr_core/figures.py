@@ -8,16 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from qovr_core import bernstein
 from qovr_core.curve_figures import draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
+from qovr_core.evaluation import Surface, configure
 from qovr_core.files.atomic import replacing
 from qovr_core.formulations import curve_network
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
-from qovr_core.pipeline import Surface, configure
 from qovr_core.presets import curve_case, figure_cases, network_case
-from qovr_core.weights import CURVE_DEGREE
 
 FIGURE_FORMATS = ("png", "svg", "pdf")
 

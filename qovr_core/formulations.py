@@ -10,9 +10,9 @@ import numpy as np
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document, Formulation
 from qovr_core.errors import EvaluationError
-from qovr_core.knots import Knots, knot_array
-from qovr_core.patch import Patch
-from qovr_core.weights import CURVE_DEGREE, weight_coefficients
+from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.patch import Patch
+from qovr_core.geometry.weights import CURVE_DEGREE, weight_coefficients
 
 PUBLISHED_KERNEL_DECIMALS = 4
 """The published workbooks were computed from inverse kernels cut to this many decimals."""

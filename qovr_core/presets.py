@@ -13,7 +13,7 @@ import numpy as np
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import SourceError
-from qovr_core.knots import Knots
+from qovr_core.geometry.knots import Knots
 
 
 @dataclass(frozen=True)

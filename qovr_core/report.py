@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from qovr_core.document import Document
+from qovr_core.evaluation import Surface
 from qovr_core.formulations import active_rows
-from qovr_core.pipeline import Surface
 
 
 def surface_facts(surface: Surface) -> dict[str, Any]:

@@ -10,8 +10,8 @@ import numpy as np
 from qovr_core.arrays import Array
 from qovr_core.document import Formulation
 from qovr_core.errors import EvaluationError
+from qovr_core.evaluation import configure
 from qovr_core.files.workbook_read import PublishedNumbers, read_published_numbers
-from qovr_core.pipeline import configure
 
 RAW_TOLERANCE = 1e-8
 """Raw coordinates stand at full precision in the workbooks."""

@@ -54,7 +54,7 @@ def app(display: None, qt_messages: list[str]) -> Iterator[object]:
     """The one QApplication of the session."""
     from PySide6.QtCore import QtMsgType, qInstallMessageHandler
 
-    from qovr_app.appearance import make_application
+    from qovr_app.window.application import make_application
 
     def on_message(kind: QtMsgType, context: object, text: str) -> None:
         if kind not in (QtMsgType.QtDebugMsg, QtMsgType.QtInfoMsg):

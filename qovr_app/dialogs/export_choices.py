@@ -5,11 +5,11 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
-from qovr_app.panels.numbers import number_text, typed_number
+from qovr_app.state.number_texts import number_text, typed_number
 from qovr_core import Document, DocumentError
+from qovr_core.evaluation import Layer, default_layer
 from qovr_core.files import Format
 from qovr_core.files.options import ExportOptions
-from qovr_core.pipeline import Layer, default_layer
 
 
 class ExportChoices(QWidget):

@@ -7,15 +7,15 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
 from qovr_app.laboratory.panel import Focus
 from qovr_app.laboratory.wording import value_text
-from qovr_app.panels.field import NumberField
-from qovr_app.panels.look import SPACE
-from qovr_app.panels.parts import CompactButton, symbol
-from qovr_app.panels.symbols import AXES, CURVE_LETTERS, knot_letter, label, symbol_html
+from qovr_app.style.colours import SPACE
+from qovr_app.style.symbols import AXES, CURVE_LETTERS, knot_letter, label, symbol_html
+from qovr_app.widgets.number_field import NumberField
+from qovr_app.widgets.parts import CompactButton, symbol
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
 from qovr_core.edits import KnotPlace, value_at
+from qovr_core.evaluation import default_layer
 from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount
-from qovr_core.pipeline import default_layer
 
 _STEP = 0.01
 _FIELD_WIDTH = 76

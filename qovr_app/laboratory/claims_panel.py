@@ -14,11 +14,11 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, Q
 from qovr_app.laboratory.claims_table import FORMULATIONS, MARKS, ClaimsTable, number
 from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import LaboratoryPanel
-from qovr_app.panels.look import SPACE
-from qovr_app.panels.parts import CompactButton
-from qovr_app.panels.splitter import LineSplitter
-from qovr_app.panels.symbols import symbol_html
-from qovr_app.view3d.theme import Theme
+from qovr_app.style.colours import SPACE
+from qovr_app.style.symbols import symbol_html
+from qovr_app.style.theme import Theme
+from qovr_app.widgets.parts import CompactButton
+from qovr_app.widgets.splitter import LineSplitter
 from qovr_core import AlignedPatch, Document
 from qovr_core.laboratory.claims import Finding
 from qovr_core.laboratory.trials import SAMPLES

@@ -15,7 +15,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from qovr_app.panels.look import SPACE, look, small_number_font
+from qovr_app.style.colours import SPACE, look, small_number_font
 from qovr_core import Formulation
 from qovr_core.laboratory.claims import Claim, Finding, Verdict
 from qovr_core.laboratory.verify import CLAIMS

@@ -6,11 +6,11 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
-from qovr_app.panels.field import NumberField
-from qovr_app.panels.look import SPACE
-from qovr_app.panels.parts import CompactButton, symbol
-from qovr_app.panels.symbols import symbol_html
-from qovr_app.view3d.settings import Placement
+from qovr_app.state.display import Placement
+from qovr_app.style.colours import SPACE
+from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.number_field import NumberField
+from qovr_app.widgets.parts import CompactButton, symbol
 from qovr_core import DocumentError
 from qovr_core.checks import checked_number, described
 from qovr_core.laboratory.comparison import DEFAULT_WEIGHT, RIVALS, Contender

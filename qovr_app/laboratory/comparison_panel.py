@@ -11,13 +11,13 @@ from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
 from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
-from qovr_app.panels.look import SPACE
-from qovr_app.panels.parts import symbol
-from qovr_app.panels.symbols import symbol_html
-from qovr_app.view3d.rival import Rival
-from qovr_app.view3d.scene import Result
-from qovr_app.view3d.settings import Placement
-from qovr_app.view3d.theme import Theme
+from qovr_app.state.display import Placement
+from qovr_app.style.colours import SPACE
+from qovr_app.style.symbols import symbol_html
+from qovr_app.style.theme import Theme
+from qovr_app.view3d.scene.comparison import Rival
+from qovr_app.view3d.scene.scene import Result
+from qovr_app.widgets.parts import symbol
 from qovr_core import AlignedPatch, Document, ParametricSurface, QovrError
 from qovr_core.laboratory.comparison import (
     DEFAULT_POINT,

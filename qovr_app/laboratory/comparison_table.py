@@ -6,7 +6,7 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
-from qovr_app.panels.look import SPACE, look, number_font
+from qovr_app.style.colours import SPACE, look, number_font
 from qovr_core.laboratory.comparison import Contender, Measures
 from qovr_core.laboratory.comparison_report import DESCRIPTIONS, NAMES, ROWS
 

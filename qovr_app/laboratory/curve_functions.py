@@ -9,7 +9,7 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.plots import Plot, coloured
-from qovr_app.view3d.theme import Theme
+from qovr_app.style.theme import Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import SAMPLES

@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.plots import Plot, coloured
-from qovr_app.panels.look import look
-from qovr_app.panels.symbols import symbol_html
-from qovr_app.view3d.theme import Theme
+from qovr_app.style.colours import look
+from qovr_app.style.symbols import symbol_html
+from qovr_app.style.theme import Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve

@@ -10,11 +10,11 @@ from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.laboratory.plots import Captioned
-from qovr_app.panels.look import SPACE, look
-from qovr_app.panels.numbers import number_text
-from qovr_app.panels.parts import CompactButton
-from qovr_app.panels.symbols import symbol_html
-from qovr_app.view3d.theme import Theme
+from qovr_app.state.number_texts import number_text
+from qovr_app.style.colours import SPACE, look
+from qovr_app.style.symbols import symbol_html
+from qovr_app.style.theme import Theme
+from qovr_app.widgets.parts import CompactButton
 from qovr_core import AlignedPatch, QovrError
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace

@@ -8,9 +8,9 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.curve_functions import FunctionPlot
-from qovr_app.panels.look import look
-from qovr_app.view3d.gestures import next_gesture
-from qovr_app.view3d.theme import Theme
+from qovr_app.state.gestures import next_gesture
+from qovr_app.style.colours import look
+from qovr_app.style.theme import Theme
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 
 _HANDLE = 12

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.influence_numbers import DISTANCE
 from qovr_app.laboratory.plots import Plot, coloured
-from qovr_app.view3d.theme import Rgb, Theme
+from qovr_app.style.theme import Rgb, Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence
 

@@ -8,10 +8,10 @@ from PySide6.QtGui import QColor, QFont, QImage, QMouseEvent, QPainter, QPaintEv
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from qovr_app.laboratory.wording import motion_text
-from qovr_app.view3d.colourmaps import colour_table, colours_of
-from qovr_app.view3d.settings import ColourMap, ThemeName
-from qovr_app.view3d.theme import Theme, theme_of
-from qovr_app.view3d.ticks import tick_positions, tick_texts
+from qovr_app.state.display import ColourMap, ThemeName
+from qovr_app.style.colour_maps import colour_table, colours_of
+from qovr_app.style.theme import Theme, theme_of
+from qovr_app.view3d.scene.ticks import tick_positions, tick_texts
 from qovr_core import Edge
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence

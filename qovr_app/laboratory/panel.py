@@ -6,8 +6,8 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.view3d.scene import NetIndex
-from qovr_app.view3d.theme import Theme
+from qovr_app.style.theme import Theme
+from qovr_app.view3d.scene.scene import NetIndex
 from qovr_core import AlignedPatch
 from qovr_core.edits import KnotPlace
 

@@ -7,9 +7,9 @@ from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPen, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from qovr_app.appearance import theme as theme_in_force
-from qovr_app.panels.look import SPACE, small_number_font
-from qovr_app.view3d.theme import Rgb, Theme, theme_of
+from qovr_app.style.colours import SPACE, small_number_font
+from qovr_app.style.theme import Rgb, Theme, theme_of
+from qovr_app.window.application import theme as theme_in_force
 
 _LABEL_MARGIN = 1
 _GRID = 0.16

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from qovr_app.panels.numbers import number_text
+from qovr_app.state.number_texts import number_text
 
 _DIGITS = 4
 

@@ -12,23 +12,23 @@ from PySide6.QtCore import QPoint, QSize, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.view3d.camera import NAMED_VIEWS, Camera, fitted
-from qovr_app.view3d.canvas import blank_image, painting
-from qovr_app.view3d.figure import FigureOptions, save_figure
-from qovr_app.view3d.frame import HALF_EXTENTS
-from qovr_app.view3d.navigator import Navigator
-from qovr_app.view3d.panes import Panes
-from qovr_app.view3d.picture import Picture, margins
-from qovr_app.view3d.probing import Place, place_under, reading_at
-from qovr_app.view3d.readout import readout_text
-from qovr_app.view3d.rival import Rival
-from qovr_app.view3d.scene import NetIndex, Result, Scene
-from qovr_app.view3d.settings import ColourBy, DisplaySettings, Layer, Projection
-from qovr_app.view3d.stage import Stage
-from qovr_app.view3d.turn import Turn
+from qovr_app.state.display import ColourBy, DisplaySettings, Layer, Projection
+from qovr_app.view3d.figure.figure import FigureOptions, save_figure
+from qovr_app.view3d.interaction.navigator import Navigator
+from qovr_app.view3d.interaction.probing import Place, place_under, reading_at
+from qovr_app.view3d.interaction.turn import Turn
+from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.view3d.painter.readout import readout_text
+from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera, fitted
+from qovr_app.view3d.scene.comparison import Rival
+from qovr_app.view3d.scene.frame import HALF_EXTENTS
+from qovr_app.view3d.scene.picture import Picture, margins
+from qovr_app.view3d.scene.scene import NetIndex, Result, Scene
+from qovr_app.view3d.scene.scenes import Stage
+from qovr_app.view3d.viewports import Panes
 from qovr_core import ParametricSurface
 from qovr_core.edits import KnotPlace
-from qovr_core.laboratory.fields import Range
+from qovr_core.fields import Range
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""

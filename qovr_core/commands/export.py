@@ -13,8 +13,8 @@ from typing import Any
 from qovr_core.commands.common import DONE, SOURCE_HELP, progress_bar
 from qovr_core.document import Document, Formulation
 from qovr_core.errors import DocumentError, FileError, QovrError
+from qovr_core.evaluation import Layer, configure
 from qovr_core.files import FORMATS, ExportOptions, format_for, read_source
-from qovr_core.pipeline import Layer, configure
 
 _OF_ONE_LAYER = ", ".join(entry.suffix for entry in FORMATS.values() if entry.holds_one_layer)
 _MESHES = ", ".join(entry.suffix for entry in FORMATS.values() if entry.is_mesh)

@@ -6,8 +6,8 @@ import argparse
 from typing import Any
 
 from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
+from qovr_core.evaluation import configure
 from qovr_core.files import read_source
-from qovr_core.pipeline import configure
 
 
 def add_command(commands: Any) -> None:

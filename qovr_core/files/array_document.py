@@ -12,7 +12,7 @@ from qovr_core.arrays import Array
 from qovr_core.checks import checked_knot, checked_number, described
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import DocumentError, FileError
-from qovr_core.knots import Knots
+from qovr_core.geometry.knots import Knots
 
 SHAPES = {
     "control_points": (NET_SIZE, NET_SIZE, 3),

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import numpy as np
 
-from qovr_core import bernstein
 from qovr_core.arrays import Array, read_only
 from qovr_core.errors import FileError
-from qovr_core.patch import PATCH_DEGREE, Edge, Patch
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.patch import PATCH_DEGREE, Edge, Patch
 
 _ROUNDING = 1e-13
 """Elevated again, reduced coefficients must meet the patch within this part of its largest coefficient."""

@@ -8,11 +8,11 @@ from pathlib import Path
 
 import numpy as np
 
+from qovr_core.evaluation import Surface
 from qovr_core.files.atomic import replacing
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.pipeline import Surface
 
 HEADER = ("i", "j", "u", "v", "raw_x", "raw_y", "raw_z", "transformed_x", "transformed_y", "transformed_z")
 

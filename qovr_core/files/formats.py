@@ -8,6 +8,7 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
+from qovr_core.evaluation import Surface
 from qovr_core.files.csv_table import write_csv
 from qovr_core.files.glb import write_glb
 from qovr_core.files.iges import write_iges
@@ -22,7 +23,6 @@ from qovr_core.files.rhino import write_3dm
 from qovr_core.files.step import write_step
 from qovr_core.files.stl import write_stl
 from qovr_core.files.workbook_write import check_workbook_size, workbook_announcement, write_workbook
-from qovr_core.pipeline import Surface
 
 Writer = Callable[[Surface, Path, Progress, ExportOptions], None]
 

@@ -9,6 +9,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.evaluation import Surface
 from qovr_core.files.atomic import replacing
 from qovr_core.files.colours import height_colours, linear
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh, float32_rounding
@@ -16,7 +17,6 @@ from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, UNIT_IN_METRES, origin
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.pipeline import Surface
 
 _FLOAT, _UNSIGNED_SHORT, _UNSIGNED_INT = 5126, 5123, 5125
 _ARRAY_BUFFER, _ELEMENT_ARRAY_BUFFER = 34962, 34963

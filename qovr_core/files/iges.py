@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.evaluation import Surface
 from qovr_core.files import bspline, step
 from qovr_core.files.atomic import replacing
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.pipeline import Surface
 
 ENTITY = 128
 MILLIMETRES = 2

@@ -7,12 +7,12 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import FileError
+from qovr_core.evaluation import Surface
 from qovr_core.files.array_document import INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mat_read import read_arrays
 from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.progress import Progress
-from qovr_core.pipeline import Surface
 
 
 def write_mat(surface: Surface, path: Path, progress: Progress) -> None:

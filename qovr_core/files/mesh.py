@@ -11,11 +11,11 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array
 from qovr_core.errors import EvaluationError, FileError
+from qovr_core.evaluation import Surface, parameters
 from qovr_core.files import bspline, tessellation
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.patch import Edge, Patch
-from qovr_core.pipeline import Surface, parameters
+from qovr_core.geometry.patch import Edge, Patch
 
 Indices = npt.NDArray[np.int32]
 

@@ -10,12 +10,12 @@ import numpy as np
 
 from qovr_core.document import Document
 from qovr_core.errors import FileError
+from qovr_core.evaluation import Surface
 from qovr_core.files.array_document import INPUTS, LARGEST_INPUT, document_from_arrays
 from qovr_core.files.atomic import replacing
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
-from qovr_core.knots import knot_array
-from qovr_core.pipeline import Surface
+from qovr_core.geometry.knots import knot_array
 
 
 def surface_arrays(surface: Surface) -> dict[str, Any]:

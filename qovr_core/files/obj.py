@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from qovr_core.evaluation import Surface
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import mesh_comments
-from qovr_core.pipeline import Surface
 
 _NORMAL = f"vn{3 * ' %.9g'}\n"
 """Every 32-bit number reads back as itself from 9 digits; a direction needs no more."""

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
-from qovr_core.patch import Patch
-from qovr_core.pipeline import Layer, Surface, default_layer
+from qovr_core.evaluation import Layer, Surface, default_layer
+from qovr_core.geometry.patch import Patch
 
 
 @dataclass(frozen=True)

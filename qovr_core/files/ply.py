@@ -9,13 +9,13 @@ from pathlib import Path
 
 import numpy as np
 
+from qovr_core.evaluation import Surface
 from qovr_core.files.atomic import replacing
 from qovr_core.files.colours import height_colours
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import mesh_comments
-from qovr_core.pipeline import Surface
 
 _VERTEX = np.dtype([("point", "<f8", 3), ("normal", "<f4", 3), ("colour", "u1", 3)])
 _FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])

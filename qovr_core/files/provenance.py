@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 
+from qovr_core.evaluation import Surface
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.pipeline import Surface
 from qovr_core.version import VERSION
 
 PROGRAM = f"QOVR Studio {VERSION}"

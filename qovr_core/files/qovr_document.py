@@ -11,7 +11,7 @@ from qovr_core.checks import checked_knot, described
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import DocumentError, FileError
 from qovr_core.files.atomic import replacing
-from qovr_core.knots import Knots
+from qovr_core.geometry.knots import Knots
 
 FORMAT = "qovr-document"
 VERSION = 1

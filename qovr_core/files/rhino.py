@@ -10,6 +10,7 @@ from typing import Any, BinaryIO
 from qovr_core.arrays import Array
 from qovr_core.document import Document
 from qovr_core.errors import DocumentError, FileError
+from qovr_core.evaluation import Surface
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -17,7 +18,6 @@ from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin
 from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
 from qovr_core.files.step import uncertainty
-from qovr_core.pipeline import Surface
 
 DOCUMENT_KEY = "qovr.document"
 

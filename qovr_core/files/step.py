@@ -13,14 +13,14 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.evaluation import Surface
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.patch import Edge
-from qovr_core.pipeline import Surface
+from qovr_core.geometry.patch import Edge
 
 SCHEMA = "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }"
 

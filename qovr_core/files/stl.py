@@ -8,13 +8,13 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.evaluation import Surface
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mesh import MESHED, blocks, build_mesh, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import origin
-from qovr_core.pipeline import Surface
 
 HEADER_BYTES = 80
 

@@ -6,12 +6,12 @@ import math
 
 import numpy as np
 
-from qovr_core import bernstein
 from qovr_core.arrays import Array
 from qovr_core.checks import SAMPLES_RANGE
 from qovr_core.errors import EvaluationError
-from qovr_core.patch import Patch
-from qovr_core.pipeline import parameters
+from qovr_core.evaluation import parameters
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.patch import Patch
 
 _HALVINGS = 4
 """Second derivatives are bounded on 16 x 16 pieces, where their coefficients lie close to their values."""

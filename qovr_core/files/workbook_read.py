@@ -15,7 +15,7 @@ from qovr_core.document import NET_SIZE, Document, Formulation
 from qovr_core.errors import DocumentError, FileError
 from qovr_core.files import published_layout as layout
 from qovr_core.files.qovr_document import document_from_json
-from qovr_core.knots import Knots, knot_array
+from qovr_core.geometry.knots import Knots, knot_array
 
 
 @dataclass(frozen=True, eq=False)

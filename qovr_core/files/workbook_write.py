@@ -13,13 +13,13 @@ import numpy as np
 
 from qovr_core.document import Document
 from qovr_core.errors import FileError
+from qovr_core.evaluation import Surface
 from qovr_core.files import published_layout as layout
 from qovr_core.files.atomic import DRAFT_PREFIX, DRAFT_SUFFIX, replacing, unwritable
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.knots import knot_array
-from qovr_core.pipeline import Surface
+from qovr_core.geometry.knots import knot_array
 
 LARGE_WORKBOOK = 100_000
 """Points beyond which people want to know beforehand what they wait for."""

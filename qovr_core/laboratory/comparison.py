@@ -10,16 +10,16 @@ import numpy as np
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.checks import LARGEST_MAGNITUDE, described
-from qovr_core.differential import ParametricSurface
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
-from qovr_core.laboratory.closest import closest_points
-from qovr_core.laboratory.rounding import in_own_unit
+from qovr_core.evaluation import align_patch, default_layer
+from qovr_core.geometry.closest import closest_points
+from qovr_core.geometry.differential import ParametricSurface
+from qovr_core.geometry.patch import Edge
+from qovr_core.geometry.rounding import in_own_unit
 from qovr_core.laboratory.shape_measures import Joints, bending_energy, interior_joints, joints, largest_distance
 from qovr_core.laboratory.splines import TensorSurface, b_spline, bezier, catmull_rom, nurbs
-from qovr_core.patch import Edge
-from qovr_core.pipeline import align_patch, default_layer
 
 DEFAULT_POINT = (2, 2)
 DEFAULT_WEIGHT = 4.0

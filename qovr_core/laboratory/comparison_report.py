@@ -8,9 +8,9 @@ from enum import Enum
 from math import degrees, isfinite
 from typing import Any
 
+from qovr_core.evaluation import default_layer
+from qovr_core.geometry.patch import Edge
 from qovr_core.laboratory.comparison import SHARES, Comparison, Contender, Measures, Trial
-from qovr_core.patch import Edge
-from qovr_core.pipeline import default_layer
 
 NAMES = {
     Contender.QOVR: "QOVR",

@@ -6,16 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 
-from qovr_core import bernstein
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import CURVE_LETTERS, Direction, set_all_knots
 from qovr_core.formulations import build_patch, kernel_decimals
-from qovr_core.kernels import inverse_kernels, kernels
-from qovr_core.knots import Knots, knot_array
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.kernels import inverse_kernels, kernels
+from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.rounding import ROUNDING, largest
+from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients
 from qovr_core.laboratory.claims import Condition, Measurement
-from qovr_core.laboratory.rounding import ROUNDING, largest
-from qovr_core.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients
 
 CURVE_NAMES = tuple(f"{CURVE_LETTERS[direction]}_{k}" for direction in Direction for k in range(NET_SIZE))
 """The ten curves of a document, rows before columns."""

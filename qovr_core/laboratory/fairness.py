@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.differential import ParametricSurface
 from qovr_core.document import Document
 from qovr_core.formulations import build_patch
+from qovr_core.geometry.differential import ParametricSurface
+from qovr_core.geometry.rounding import ROUNDING, largest
 from qovr_core.laboratory.claims import Measurement
-from qovr_core.laboratory.rounding import ROUNDING, largest
 from qovr_core.laboratory.splines import catmull_rom
 
 ISOLINES = 9

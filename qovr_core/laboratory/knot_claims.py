@@ -7,18 +7,18 @@ from functools import lru_cache
 
 import numpy as np
 
-from qovr_core import bernstein
-from qovr_core.alignment import align, bounding_box
 from qovr_core.arrays import Array, Flags, Indices
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_all_knots
 from qovr_core.formulations import build_patch, patch_coefficients
-from qovr_core.knots import Knots, knot_array
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.alignment import align, bounding_box
+from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.patch import PATCH_DEGREE, Edge
+from qovr_core.geometry.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.claims import Measurement
 from qovr_core.laboratory.curve_claims import CURVE_NAMES
-from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.patch import PATCH_DEGREE, Edge
 
 KNOT_STEP = 0.1
 """Each knot is moved this far up and down, and half the way to 0 or 1 where there is not so much room."""

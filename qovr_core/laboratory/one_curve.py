@@ -8,15 +8,15 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core import bernstein
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import Document
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, knots_of
 from qovr_core.errors import EvaluationError
 from qovr_core.formulations import kernel_decimals
-from qovr_core.kernels import inverse_kernels
-from qovr_core.knots import Knots
-from qovr_core.weights import CURVE_DEGREE, transformations, weight_coefficients
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.kernels import inverse_kernels
+from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.weights import CURVE_DEGREE, transformations, weight_coefficients
 
 SAMPLES = read_only(np.linspace(0.0, 1.0, 161))
 """Parameters so close together that a line through their points is seen as the curve; 0, 1/2 and 1 among them."""

@@ -7,11 +7,11 @@ import numpy as np
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document, Formulation
 from qovr_core.edits import Direction, KnotPlace, knots_of
+from qovr_core.evaluation import AlignedPatch, Layer, parameters
 from qovr_core.formulations import active_rows
-from qovr_core.knots import knot_array
-from qovr_core.patch import Patch
-from qovr_core.pipeline import AlignedPatch, Layer, parameters
-from qovr_core.weights import weight_coefficients, weight_slopes
+from qovr_core.geometry.knots import knot_array
+from qovr_core.geometry.patch import Patch
+from qovr_core.geometry.weights import weight_coefficients, weight_slopes
 
 _KNOT_NAMES = "rsut"
 

@@ -6,19 +6,19 @@ from dataclasses import replace
 
 import numpy as np
 
-from qovr_core import bernstein
-from qovr_core.alignment import bounding_box
 from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_all_knots, set_points
+from qovr_core.evaluation import align_patch, parameters
 from qovr_core.formulations import build_patch, patch_coefficients
-from qovr_core.knots import Knots, knot_array
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.alignment import bounding_box
+from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.patch import PATCH_DEGREE
+from qovr_core.geometry.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.claims import Condition, Measurement
 from qovr_core.laboratory.falloff import best_decay
-from qovr_core.laboratory.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.patch import PATCH_DEGREE
-from qovr_core.pipeline import align_patch, parameters
 
 POINT_STEP = 0.1
 """A control point is moved by this part of the net's size, along all axes alike."""

@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.differential import ParametricSurface
-from qovr_core.laboratory.closest import closest_points
+from qovr_core.geometry.closest import closest_points
+from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.laboratory.splines import TensorSurface
 
 _DISTANCE_SAMPLES, _FINER_SAMPLES = 33, 9

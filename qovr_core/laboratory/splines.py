@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core import differential, grid
 from qovr_core.arrays import Array, read_only
-from qovr_core.differential import Curvature
 from qovr_core.document import NET_SIZE
+from qovr_core.geometry import differential, grid
+from qovr_core.geometry.differential import Curvature
 
 _SINGULAR = 1e-12
 """|S_u x S_v| below this part of the product of the net's longest steps is rounding, and no direction."""

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from qovr_core import bernstein
-from qovr_core.patch import PATCH_DEGREE, Patch
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 
 _STILL = 1e-9
 """Part of the largest coefficient up to which a line does not move: what the rounding of its parameter costs."""

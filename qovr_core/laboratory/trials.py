@@ -7,7 +7,7 @@ from functools import cache
 import numpy as np
 
 from qovr_core.document import NET_SIZE, Document, Formulation
-from qovr_core.knots import Knots
+from qovr_core.geometry.knots import Knots
 
 TRIAL_SEED = 20
 """The random documents are drawn from this seed, so that everybody sees the same."""

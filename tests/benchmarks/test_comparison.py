@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from qovr_core import align_patch
-from qovr_core.laboratory.closest import closest_points
+from qovr_core.evaluation import parameters
+from qovr_core.geometry.closest import closest_points
 from qovr_core.laboratory.comparison import Trial, comparison_steps
 from qovr_core.laboratory.splines import b_spline
-from qovr_core.pipeline import parameters
 from qovr_core.presets import preset
 from support.command import qovr
 

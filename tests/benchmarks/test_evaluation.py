@@ -9,7 +9,7 @@ from splipy import BSplineBasis
 from splipy import Surface as SplipySurface
 
 from qovr_core import Document, Formulation, build_patch, configure
-from qovr_core.pipeline import parameters
+from qovr_core.evaluation import parameters
 from support import algorithm1
 from support.documents import random_document
 

@@ -29,9 +29,9 @@ class Bench:
     """A view of its own size with the session and the controller that feed it."""
 
     def __init__(self, application):
-        from qovr_app.controller import Controller
-        from qovr_app.session import Session
         from qovr_app.view3d.view import View3D
+        from qovr_app.window.controller import Controller
+        from qovr_app.window.session import Session
 
         self.application = application
         self.session = Session()
@@ -154,7 +154,7 @@ def coloured(bench):
 
 
 def colour_by(bench, name):
-    from qovr_app.view3d.settings import ColourBy
+    from qovr_app.state.display import ColourBy
 
     bench.view.set_settings(replace(bench.view.settings, colour_by=ColourBy(name)))
 
@@ -218,7 +218,7 @@ EDITOR = """
 import sys
 sys.argv = ["qovr"]
 from PySide6.QtWidgets import QApplication
-from qovr_app import main_window
+from qovr_app.window import main_window
 came = main_window.MainWindow._on_view_came
 def watch(window, view):
     came(window, view)

@@ -3,7 +3,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qovr_core import bernstein
+from qovr_core.geometry import bernstein
 
 coefficient = st.floats(-10, 10)
 polynomial = st.lists(coefficient, min_size=1, max_size=7).map(np.array)

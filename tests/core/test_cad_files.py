@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from qovr_core import Edge, FileError, Formulation, Patch, configure
+from qovr_core.evaluation import Layer
 from qovr_core.files import FORMATS, ExportOptions, bspline, format_for, read_source, step
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json
-from qovr_core.pipeline import Layer
 from qovr_core.presets import preset
 from support.documents import random_document
 from support.iges_reader import IgesFile

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import Document, Edge, Formulation, Knots, Patch, align_patch, bernstein, build_patch, edits
+from qovr_core import Document, Edge, Formulation, Knots, Patch, align_patch, build_patch, edits
 from qovr_core.edits import Direction, set_all_knots
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.weights import weight_coefficients
 from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
 from qovr_core.laboratory.claims import Claim, Condition, Measurement, Verdict, decide
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
@@ -15,7 +17,6 @@ from qovr_core.laboratory.splines import catmull_rom
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
 from qovr_core.presets import preset
-from qovr_core.weights import weight_coefficients
 from support.documents import knots, random_document, random_net, seeds
 
 TRUE, TRUE_IF, FALSE = Verdict

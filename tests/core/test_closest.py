@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from qovr_core import Formulation, Layer, Patch, align_patch
-from qovr_core.laboratory.closest import closest_points
+from qovr_core.geometry.closest import closest_points
 from support.documents import random_document, size
 from support.shapes import CLOSED, COLLAPSED, special
 from support.surfaces import SphericalPatch

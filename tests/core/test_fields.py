@@ -8,7 +8,7 @@ from hypothesis import given, settings
 
 from qovr_core import Document, Layer, Patch, align_patch, build_patch, edits
 from qovr_core.edits import Direction, KnotPlace
-from qovr_core.laboratory.fields import FIELDS, Field, field_range, field_rounding, field_values
+from qovr_core.fields import FIELDS, Field, field_range, field_rounding, field_values
 from qovr_core.laboratory.sensitivity import knot_sensitivity
 from qovr_core.presets import preset
 from support.documents import random_document, seeds

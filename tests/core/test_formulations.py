@@ -7,9 +7,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from qovr_core import Document, Edge, EvaluationError, Formulation, Knots, bernstein, build_patch, curve_network, edits
+from qovr_core import Document, Edge, EvaluationError, Formulation, Knots, build_patch, curve_network, edits
 from qovr_core.edits import Direction
-from qovr_core.weights import weight_coefficients
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.weights import weight_coefficients
 from support import algorithm1
 from support.documents import documents, knots, random_document, random_net, seeds, size
 

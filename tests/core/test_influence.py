@@ -5,8 +5,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from qovr_core import Document, DocumentError, Edge, Formulation, Knots, Layer, bernstein, configure
+from qovr_core import Document, DocumentError, Edge, Formulation, Knots, Layer, configure
 from qovr_core.edits import Direction, KnotPlace, set_formulation
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.weights import weight_coefficients
 from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, fit_exponential
 from qovr_core.laboratory.influence import (
     KnotMove,
@@ -16,7 +18,6 @@ from qovr_core.laboratory.influence import (
 )
 from qovr_core.laboratory.levels import area_above, level_line
 from qovr_core.presets import preset
-from qovr_core.weights import weight_coefficients
 from support.documents import documents, knots, random_document, random_net, seeds
 
 indices = st.integers(0, 4)

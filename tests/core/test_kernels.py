@@ -2,7 +2,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from qovr_core.kernels import inverse_kernels, kernels
+from qovr_core.geometry.kernels import inverse_kernels, kernels
 from support.documents import knot_values
 
 

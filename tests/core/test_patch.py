@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import Edge, Patch, bernstein
+from qovr_core import Edge, Patch
+from qovr_core.geometry import bernstein
 from support.documents import seeds
 
 U = np.linspace(0, 1, 9)

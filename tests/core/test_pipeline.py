@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 
 from qovr_core import Document, Formulation, align_patch, configure, edits
-from qovr_core.alignment import align
+from qovr_core.geometry.alignment import align
 from qovr_core.presets import preset
 from support.documents import documents, random_document, random_net
 

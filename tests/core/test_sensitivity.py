@@ -9,10 +9,10 @@ from hypothesis import strategies as st
 
 from qovr_core import Formulation, Layer, align_patch, configure, edits, formulations
 from qovr_core.edits import Direction, KnotPlace
-from qovr_core.kernels import inverse_kernel_slopes, inverse_kernels
+from qovr_core.geometry.kernels import inverse_kernel_slopes, inverse_kernels
+from qovr_core.geometry.weights import weight_coefficients, weight_slopes
 from qovr_core.laboratory.sensitivity import knot_sensitivity
 from qovr_core.presets import preset
-from qovr_core.weights import weight_coefficients, weight_slopes
 from support.documents import documents, knot_values, knots, random_document
 
 PLACES = [KnotPlace(direction, k, name) for direction in Direction for k in range(5) for name in "rsut"]

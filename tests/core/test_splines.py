@@ -5,7 +5,7 @@ import pytest
 import splipy
 from hypothesis import given, settings
 
-from qovr_core import bernstein
+from qovr_core.geometry import bernstein
 from qovr_core.laboratory.splines import TensorSurface, b_spline, bezier, catmull_rom, nurbs
 from support.documents import random_net, seeds
 from support.surfaces import principal_curvatures

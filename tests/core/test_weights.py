@@ -7,8 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qovr_core import Knots, bernstein
-from qovr_core.weights import transformations, weight_coefficients
+from qovr_core import Knots
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.weights import transformations, weight_coefficients
 from support.documents import knot_values, knots
 from support.exact import weights as exact_weights
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from qovr_core.differential import curvature
+from qovr_core.geometry.differential import curvature
 
 
 @dataclass(frozen=True)

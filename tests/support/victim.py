@@ -11,9 +11,9 @@ from pathlib import Path
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.appearance import make_application
-from qovr_app.desk import ExportDialog
 from qovr_app.main import create_window
+from qovr_app.window.application import make_application
+from qovr_app.window.desk import ExportDialog
 from qovr_core.edits import Direction, KnotPlace, linked_places, set_values
 from qovr_core.files.qovr_document import document_to_json
 from support.editor import Editor, name_of

@@ -6,8 +6,8 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialogButtonBox, QLabel, QLineEdit, QToolBar
 
-from qovr_app.view3d.colouring import KNOT_NOTE, PIN_NOTE
-from qovr_app.view3d.settings import ColourBy, ColourRange
+from qovr_app.state.display import ColourBy, ColourRange
+from qovr_app.view3d.scene.colouring import KNOT_NOTE, PIN_NOTE
 from qovr_core.edits import Direction, KnotPlace
 
 

@@ -7,7 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QTableWidget
 
 from qovr_app.laboratory.comparison_panel import ComparisonPanel
-from qovr_app.view3d.settings import ColourBy
+from qovr_app.state.display import ColourBy
 from qovr_core import Formulation
 from qovr_core.laboratory.comparison import Contender, compare
 from qovr_core.laboratory.comparison_report import NAMES, ROWS

@@ -12,10 +12,10 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLabel, QSpinBox
 
-from qovr_app.appearance import set_theme
 from qovr_app.laboratory.curve_drawings import Drawing
-from qovr_app.view3d.figure import FigureOptions
-from qovr_app.view3d.settings import ThemeName
+from qovr_app.state.display import ThemeName
+from qovr_app.view3d.figure.figure import FigureOptions
+from qovr_app.window.application import set_theme
 from qovr_core import FileError, Formulation, curve_network
 from qovr_core.edits import Direction, KnotPlace, set_values
 from qovr_core.laboratory.one_curve import SAMPLES, curve_of
@@ -283,7 +283,7 @@ def test_a_window_with_the_panel_open_is_let_go(make_editor, spin):
 
 def test_the_plots_are_loaded_when_they_are_asked_for(app):
     code = (
-        "import sys\nimport qovr_app.main_window\n"
+        "import sys\nimport qovr_app.window.main_window\n"
         "assert not {'pyqtgraph', 'matplotlib', 'scipy'} & {name.split('.')[0] for name in sys.modules}"
     )
     subprocess.run([sys.executable, "-c", code], check=True)

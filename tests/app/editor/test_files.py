@@ -201,7 +201,7 @@ def test_settings_are_remembered(make_editor, home):
 
 
 def test_damaged_settings_count_as_never_set(make_editor, home):
-    from qovr_app.preferences import Preferences
+    from qovr_app.window.preferences import Preferences
 
     preferences = Preferences()
     preferences._store.setValue("view/style", "baroque")

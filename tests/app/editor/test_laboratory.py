@@ -3,13 +3,13 @@
 import pytest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QTabBar, QTableWidget
 
-from qovr_app.appearance import set_theme
 from qovr_app.laboratory import place as place_module
+from qovr_app.laboratory.dock import PanelEntry
 from qovr_app.laboratory.panel import LaboratoryPanel
-from qovr_app.laboratory.place import PanelEntry
-from qovr_app.preferences import Preferences
-from qovr_app.view3d.settings import ThemeName
-from qovr_app.view3d.theme import theme_of
+from qovr_app.state.display import ThemeName
+from qovr_app.style.theme import theme_of
+from qovr_app.window.application import set_theme
+from qovr_app.window.preferences import Preferences
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.presets import preset
 
@@ -154,7 +154,7 @@ def test_a_panel_can_open_a_document_edit_and_speak(lab):
 
 
 def test_the_laboratory_stays_when_the_zones_go_and_keeps_its_height(lab, home, spin):
-    from qovr_app.main_window import MainWindow
+    from qovr_app.window.main_window import MainWindow
     from support.editor import Editor
 
     lab.trigger("laboratory_first")

@@ -6,10 +6,10 @@ from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel
 
-from qovr_app.appearance import set_theme, theme
-from qovr_app.panels.look import look
-from qovr_app.panels.numbers import fitted_text, number_text, typed_block, typed_number
-from qovr_app.view3d.settings import ThemeName
+from qovr_app.state.display import ThemeName
+from qovr_app.state.number_texts import fitted_text, number_text, typed_block, typed_number
+from qovr_app.style.colours import look
+from qovr_app.window.application import set_theme, theme
 from qovr_core import DocumentError
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 

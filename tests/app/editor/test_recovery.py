@@ -39,7 +39,7 @@ def crash(editor, home):
 
 
 def recovery_files():
-    from qovr_app.recovery import recovery_folder
+    from qovr_app.window.recovery import recovery_folder
 
     return sorted(path.name.split(".", 1)[1] for path in recovery_folder().glob("*"))
 
@@ -94,7 +94,7 @@ def test_an_offer_that_was_not_answered_is_made_again(make_editor, home):
 
 
 def test_damaged_recovery_files_are_no_offer(make_editor, home):
-    from qovr_app.recovery import recovery_folder
+    from qovr_app.window.recovery import recovery_folder
 
     recovery_folder().mkdir(parents=True)
     for number, text in enumerate(("", "[]", "{}", '{"title": "a", "path": 7, "document": {}}', "\x00")):

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pytest
 
-from qovr_app.view3d.settings import DisplaySettings
+from qovr_app.state.display import DisplaySettings
 from qovr_core import Document, Formulation, configure
 from qovr_core.edits import set_formulation, set_point, set_samples
 from qovr_core.presets import preset
@@ -127,6 +127,7 @@ def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., 
 @pytest.fixture
 def no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
     """Views made here have no OpenGL."""
-    from qovr_app.view3d import gl_support, panes
+    from qovr_app.view3d import viewports as panes
+    from qovr_app.view3d.gl import support as gl_support
 
     monkeypatch.setattr(panes, "gl_support", lambda: gl_support.GlSupport(usable=False, reason="switched off"))

@@ -5,18 +5,18 @@ import math
 import numpy as np
 import pytest
 
-from qovr_app.view3d import scene as scenes
-from qovr_app.view3d.canvas import blank_image, painting
-from qovr_app.view3d.colouring import KNOT_NOTE, PIN_NOTE, SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
-from qovr_app.view3d.colourmaps import DIVERGING, colour_table
-from qovr_app.view3d.mesh import spread
-from qovr_app.view3d.reflection import isophote_parts, zebra_is_light
-from qovr_app.view3d.scene import Companions, make_scene, scene_frame
-from qovr_app.view3d.settings import ColourBy, ColourRange, DisplaySettings, Layer, Scaling
-from qovr_app.view3d.theme import theme_of
+from qovr_app.state.display import ColourBy, ColourRange, DisplaySettings, Layer, Scaling
+from qovr_app.style.colour_maps import DIVERGING, colour_table
+from qovr_app.style.theme import theme_of
+from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.view3d.scene import scene as scenes
+from qovr_app.view3d.scene.colouring import KNOT_NOTE, PIN_NOTE, SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
+from qovr_app.view3d.scene.mesh import spread
+from qovr_app.view3d.scene.reflection import isophote_parts, zebra_is_light
+from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import Document, align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
-from qovr_core.laboratory.fields import Field, field_values
+from qovr_core.fields import Field, field_values
 from qovr_core.presets import preset
 
 COUNTS = (21, 17)
@@ -184,7 +184,7 @@ def test_isophotes_and_zebra_of_known_normals():
 def test_one_value_alone_is_written_short(app, value):
     from PySide6.QtCore import QRectF
 
-    from qovr_app.view3d import colourbar
+    from qovr_app.view3d.painter import colour_bar as colourbar
 
     image = blank_image((120.0, 300.0), 1.0)
     bar = colourbar._Bar(
@@ -200,7 +200,7 @@ def test_one_value_alone_is_written_short(app, value):
 def test_numbers_on_the_bar_leave_room_for_the_title(app, limits):
     from PySide6.QtCore import QRectF
 
-    from qovr_app.view3d import colourbar
+    from qovr_app.view3d.painter import colour_bar as colourbar
 
     image = blank_image((120.0, 300.0), 1.0)
     bar = colourbar._Bar(Colouring(ColourBy.MEAN, colour_table("jet"), "z", limits), theme_of("light"), (120.0, 300.0))

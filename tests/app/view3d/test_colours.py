@@ -5,13 +5,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_app.view3d.colourbar import bar_rect
-from qovr_app.view3d.colourmaps import DIVERGING, colour_table
-from qovr_app.view3d.reflection import DARK_STRIPE, LIGHT_STRIPE
-from qovr_app.view3d.settings import ColourBy, ColourMap, ColourRange, Layer, Style, ThemeName
+from qovr_app.state.display import ColourBy, ColourMap, ColourRange, Layer, Style, ThemeName
+from qovr_app.style.colour_maps import DIVERGING, colour_table
+from qovr_app.view3d.painter.colour_bar import bar_rect
+from qovr_app.view3d.scene.reflection import DARK_STRIPE, LIGHT_STRIPE
 from qovr_core import Document, align_patch
 from qovr_core.edits import Direction, KnotPlace, set_point
-from qovr_core.laboratory.fields import Field, field_values
+from qovr_core.fields import Field, field_values
 
 BARE = {"control_points": False, "labels": False, "control_net": False, "parameter_lines": False, "layer": Layer.RAW}
 FIELDS_BY = [ColourBy.GAUSSIAN, ColourBy.MEAN, ColourBy.LARGEST, ColourBy.SMALLEST, ColourBy.DISTANCE]
@@ -213,7 +213,7 @@ def test_a_pinned_reference_stays_what_it_was(make_view, document, reference):
 def test_a_figure_holds_the_colours_and_the_bar(make_view, document, renderer, tmp_path, colour_at):
     from PySide6.QtGui import QImage
 
-    from qovr_app.view3d.figure import FigureOptions
+    from qovr_app.view3d.figure.figure import FigureOptions
 
     view = make_view(document, layer=Layer.RAW, colour_by=ColourBy.MEAN).view
     view.save_figure(tmp_path / "a.png", FigureOptions(view.width(), view.height(), None))

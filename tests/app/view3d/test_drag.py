@@ -14,7 +14,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.view3d.settings import Layer
+from qovr_app.state.display import Layer
 
 ALL_POINTS = [(i, j) for i in range(5) for j in range(5)]
 LEFT = Qt.MouseButton.LeftButton
@@ -140,7 +140,7 @@ def test_a_click_selects_and_edits_nothing(owner, pixel):
 def test_a_hidden_point_is_still_picked(make_view, document, pixel):
     owner = make_view(document, layer=Layer.TRANSFORMED)
     picture = owner.view.picture()
-    from qovr_app.view3d.occlusion import Occluder
+    from qovr_app.view3d.scene.occlusion import Occluder
 
     size = owner.view.viewports[0].logical_size
     hidden = Occluder(picture.scene.patch, picture.camera, size).hidden(picture.scene.points.reshape(-1, 3))

@@ -8,8 +8,8 @@ import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
-from qovr_app.view3d.figure import FigureOptions
-from qovr_app.view3d.settings import Layer
+from qovr_app.state.display import Layer
+from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_core import FileError
 
 
@@ -130,7 +130,7 @@ def test_an_older_figure_is_replaced_whole(view, tmp_path):
 
 
 def test_a_driver_that_fails_on_a_figure_leaves_it_to_the_painter(make_view, document, tmp_path, monkeypatch, silenced):
-    from qovr_app.view3d import gl_figure
+    from qovr_app.view3d.gl import figure as gl_figure
 
     def fail(*args, **kwargs):
         raise RuntimeError("no framebuffer")

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from qovr_app.view3d.camera import NAMED_VIEWS
-from qovr_app.view3d.colourbar import bar_rect
-from qovr_app.view3d.colourmaps import colours_of
-from qovr_app.view3d.settings import ColourMap, DisplaySettings, Layer, Projection, Style, ThemeName
+from qovr_app.state.display import ColourMap, DisplaySettings, Layer, Projection, Style, ThemeName
+from qovr_app.style.colour_maps import colours_of
+from qovr_app.view3d.painter.colour_bar import bar_rect
+from qovr_app.view3d.scene.camera import NAMED_VIEWS
 from qovr_core import configure
 from qovr_core.document import Document
 

@@ -8,16 +8,16 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.view3d.camera import NAMED_VIEWS, Camera
-from qovr_app.view3d.mesh import surface_vertices
-from qovr_app.view3d.probing import place_under, reading_at
-from qovr_app.view3d.readout import readout_rows, readout_text
-from qovr_app.view3d.scene import Companions, make_scene, scene_frame
-from qovr_app.view3d.settings import ColourBy, Layer, Scaling
+from qovr_app.state.display import ColourBy, Layer, Scaling
+from qovr_app.view3d.interaction.probing import place_under, reading_at
+from qovr_app.view3d.painter.readout import readout_rows, readout_text
+from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
+from qovr_app.view3d.scene.mesh import surface_vertices
+from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
+from qovr_core.evaluation import Layer as SurfaceLayer
 from qovr_core.laboratory.sensitivity import knot_sensitivity
-from qovr_core.pipeline import Layer as SurfaceLayer
 from qovr_core.presets import preset
 
 SIZE = (800.0, 600.0)

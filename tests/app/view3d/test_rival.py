@@ -9,11 +9,11 @@ from PySide6.QtGui import QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.view3d.figure import FigureOptions
-from qovr_app.view3d.rival import Rival
-from qovr_app.view3d.settings import ColourBy, Layer, Placement, Style
+from qovr_app.state.display import ColourBy, Layer, Placement, Style
+from qovr_app.view3d.figure.figure import FigureOptions
+from qovr_app.view3d.scene.comparison import Rival
 from qovr_core.edits import set_point
-from qovr_core.laboratory.closest import closest_points
+from qovr_core.geometry.closest import closest_points
 from qovr_core.laboratory.splines import b_spline, bezier
 
 

@@ -7,21 +7,21 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_app.view3d.axes import axes_box
-from qovr_app.view3d.camera import NAMED_VIEWS, Camera
-from qovr_app.view3d.colourmaps import colour_table, colours_of
-from qovr_app.view3d.frame import frame_around
-from qovr_app.view3d.mesh import (
+from qovr_app.state.display import ColourMap, Layer, Scaling, Style
+from qovr_app.style.colour_maps import colour_table, colours_of
+from qovr_app.view3d.scene.axes import axes_box
+from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
+from qovr_app.view3d.scene.frame import frame_around
+from qovr_app.view3d.scene.mesh import (
     curve_points,
     display_counts,
     facet_counts,
     surface_vertices,
     triangle_indices,
 )
-from qovr_app.view3d.occlusion import Occluder
-from qovr_app.view3d.scene import make_scene, scene_frame
-from qovr_app.view3d.settings import ColourMap, Layer, Scaling, Style
-from qovr_app.view3d.ticks import round_limits, tick_positions, tick_texts
+from qovr_app.view3d.scene.occlusion import Occluder
+from qovr_app.view3d.scene.scene import make_scene, scene_frame
+from qovr_app.view3d.scene.ticks import round_limits, tick_positions, tick_texts
 from qovr_core import Document, Patch, configure
 from qovr_core.edits import set_formulation, set_points
 from qovr_core.presets import preset
@@ -204,5 +204,5 @@ def test_a_scene_needs_no_samples():
 
 
 def test_settings_and_probe_load_no_drawing_library():
-    code = "import sys, qovr_app.view3d.settings, qovr_app.view3d.gl_support;sys.exit('OpenGL' in sys.modules)"
+    code = "import sys, qovr_app.state.display, qovr_app.view3d.gl.support;sys.exit('OpenGL' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0

@@ -13,8 +13,8 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow
 
-from qovr_app.view3d import turn
-from qovr_app.view3d.settings import DisplaySettings, Layer, Projection, Scaling
+from qovr_app.state.display import DisplaySettings, Layer, Projection, Scaling
+from qovr_app.view3d.interaction import turn
 from qovr_core import configure
 from qovr_core.edits import set_point, set_samples
 from qovr_core.presets import preset
@@ -145,7 +145,9 @@ def test_the_selection_can_be_set_and_cleared(make_view, document):
 
 @pytest.mark.parametrize("where", ["upload", "shader", "overlay"])
 def test_an_error_while_painting_leads_to_the_painter(make_view, document, monkeypatch, silenced, where):
-    from qovr_app.view3d import gl_program, gl_viewport, surface_item
+    from qovr_app.view3d.gl import program as gl_program
+    from qovr_app.view3d.gl import surface_item
+    from qovr_app.view3d.gl import viewport as gl_viewport
 
     def fail(*args, **kwargs):
         raise RuntimeError("the driver has had enough")
@@ -171,7 +173,7 @@ def test_an_error_while_painting_leads_to_the_painter(make_view, document, monke
 
 
 def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, monkeypatch, silenced):
-    from qovr_app.view3d import gl_viewport
+    from qovr_app.view3d.gl import viewport as gl_viewport
 
     owner = make_view(document, layer=Layer.BOTH)
 
@@ -195,9 +197,9 @@ def test_without_opengl_the_painter_says_why_once(make_view, document, no_opengl
 @pytest.mark.parametrize("platform", ["offscreen", "minimal"])
 def test_platforms_without_opengl_are_known(platform):
     code = (
-        "from qovr_app.view3d import gl_support; gl_support.set_default_format();"
+        "from qovr_app.view3d.gl import support; support.set_default_format();"
         "from PySide6.QtWidgets import QApplication; import sys; app = QApplication(['', *sys.argv[1:]]);"
-        "support = gl_support.gl_support(); assert not support.usable; print(support.reason)"
+        "support = support.gl_support(); assert not support.usable; print(support.reason)"
     )
     command = [sys.executable, "-c", code, "-platform", platform]
     run = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -1,0 +1,113 @@
+"""What the view shows and how: values that the window keeps, compares and hands down whole."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from qovr_core.fields import Field
+
+
+class Layer(StrEnum):
+    """Which surface is shown; ``BOTH`` puts the two side by side with linked cameras."""
+
+    RAW = "raw"
+    TRANSFORMED = "transformed"
+    BOTH = "both"
+
+
+class Style(StrEnum):
+    """How the surface is drawn. ``FACETS`` is MATLAB's ``surf``: one flat colour a cell, no light."""
+
+    FACETS = "facets"
+    SMOOTH = "smooth"
+    WIREFRAME = "wireframe"
+    POINTS = "points"
+
+
+class ColourBy(StrEnum):
+    """What the colours of the surface say: a field by its name, or a pattern that follows the camera."""
+
+    HEIGHT = Field.HEIGHT.value
+    GAUSSIAN = Field.GAUSSIAN.value
+    MEAN = Field.MEAN.value
+    LARGEST = Field.LARGEST.value
+    SMALLEST = Field.SMALLEST.value
+    DISTANCE = Field.DISTANCE.value
+    SENSITIVITY = Field.SENSITIVITY.value
+    ZEBRA = "zebra"
+    ISOPHOTES = "isophotes"
+
+
+class ColourRange(StrEnum):
+    """Which values the ends of the colours stand for: all, all but a few, or two given ones."""
+
+    AUTO = "auto"
+    ROBUST = "robust"
+    FIXED = "fixed"
+
+
+class ColourMap(StrEnum):
+    """Colours of what has no middle of its own; ``JET`` is MATLAB's, as in the paper's figures."""
+
+    JET = "jet"
+    TURBO = "turbo"
+    VIRIDIS = "viridis"
+    CIVIDIS = "cividis"
+
+
+class Scaling(StrEnum):
+    """``EACH`` stretches every axis by itself to the same box, as MATLAB does; ``EQUAL`` keeps lengths
+    comparable."""
+
+    EACH = "each"
+    EQUAL = "equal"
+
+
+class Placement(StrEnum):
+    """Where a surface stands that is compared with the document's: in a viewport of its own, or as lines over it."""
+
+    BESIDE = "beside"
+    OVER = "over"
+
+
+class Projection(StrEnum):
+    """How depth becomes size."""
+
+    PARALLEL = "parallel"
+    PERSPECTIVE = "perspective"
+
+
+class ThemeName(StrEnum):
+    """Which of the two colour sets."""
+
+    LIGHT = "light"
+    DARK = "dark"
+
+
+@dataclass(frozen=True)
+class DisplaySettings:
+    """Everything a user can choose about the picture, apart from the camera; ``replace`` makes the next
+    one."""
+
+    layer: Layer = Layer.TRANSFORMED
+    style: Style = Style.FACETS
+    colour_map: ColourMap = ColourMap.JET
+    colour_by: ColourBy = ColourBy.HEIGHT
+    colour_range: ColourRange = ColourRange.AUTO
+    fixed_range: tuple[float, float] = (0.0, 1.0)
+    scaling: Scaling = Scaling.EACH
+    projection: Projection = Projection.PARALLEL
+    theme: ThemeName = ThemeName.LIGHT
+    surface: bool = True
+    parameter_lines: bool = True
+    control_points: bool = True
+    labels: bool = True
+    control_net: bool = True
+    row_curves: bool = False
+    column_curves: bool = False
+    control_box: bool = False
+    surface_box: bool = False
+    axes: bool = True
+    colour_bar: bool = True
+    probe: bool = False

@@ -1,0 +1,1 @@
+"""Colours, symbols and colour maps: once, for widgets, plots and the 3D view alike."""

@@ -1,0 +1,1 @@
+"""The viewport that OpenGL draws, and everything that touches OpenGL."""

@@ -1,0 +1,1 @@
+"""Mouse, trackpad and keys of a viewport, and what lies under a pixel."""

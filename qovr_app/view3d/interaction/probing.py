@@ -1,0 +1,133 @@
+"""The probe: which point of the exact surface lies under a pixel, and everything that is so there. NumPy alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from qovr_app.state.display import ColourBy
+from qovr_app.view3d.scene.camera import Camera, Size
+from qovr_app.view3d.scene.mesh import surface_vertices
+from qovr_app.view3d.scene.scene import Scene
+from qovr_core.arrays import Array, read_only
+from qovr_core.fields import Field, field_values
+
+_CELLS = 48
+"""Cells a side of the mesh on which the search starts."""
+
+_AROUND = 0.5
+"""Part of a cell's extent on the screen by which the surface may leave the cell's rectangle, and then some."""
+
+_LONGEST_STEP = 3 / _CELLS
+"""Newton's method is held back to a few cells a step, or at an outline it would lose its way."""
+
+_MOST_STEPS = 30
+_ROUNDING = 1e-15
+"""Parameters: a last step that long changes nothing any more."""
+
+_MET = 1e-11
+"""Unit lengths between surface and line of sight that are rounding: they meet."""
+
+Place = tuple[float, float]
+"""u and v."""
+
+
+def place_under(scene: Scene, camera: Camera, size: Size, x: float, y: float) -> Place | None:
+    """Return the parameters of the frontmost point of the surface under a pixel; None beside the surface.
+
+    Parameters
+    ----------
+    size : the viewport in logical pixels
+    x, y : the pixel, not necessarily whole
+    """
+    starts = _cells_near(scene, camera, size, x, y)
+    if starts.size == 0:
+        return None
+    origin, direction = camera.ray(x, y, size)
+    places, points = _meetings(scene, origin, direction, starts)
+    if places.size == 0:
+        return None
+    u, v = places[np.argmin((points - origin) @ direction)].tolist()
+    return u, v
+
+
+def _cells_near(scene: Scene, camera: Camera, size: Size, x: float, y: float) -> Array:
+    """Return the middles (k, 2) of the cells that may show at a pixel, as u and v."""
+    mesh = surface_vertices(scene.patch, (_CELLS + 1, _CELLS + 1))[..., :3].astype(np.float64)
+    seen = camera.project(mesh, size)[..., :2]
+    corners = np.stack([seen[:-1, :-1], seen[1:, :-1], seen[1:, 1:], seen[:-1, 1:]])
+    low, high = corners.min(axis=0), corners.max(axis=0)
+    reach = _AROUND * (high - low) + 1.0
+    near = ((low - reach <= [x, y]) & (high + reach >= [x, y])).all(axis=-1)
+    return (np.argwhere(near) + 0.5) / _CELLS
+
+
+def _meetings(scene: Scene, origin: Array, direction: Array, starts: Array) -> tuple[Array, Array]:
+    """Return where a line of sight meets the surface in front of the eye: u and v (k, 2), and the points (k, 3).
+
+    Newton's method in the plane across the line, from all starts (n, 2) at once; several find the same meeting, and
+    those that find none are left out.
+    """
+    across = np.linalg.svd(direction[None])[2][1:]
+    at = starts.copy()
+    for _ in range(_MOST_STEPS):
+        point, su, sv = (scene.patch.derivative_at(*at.T, *order) for order in ((0, 0), (1, 0), (0, 1)))
+        missing, along_u, along_v = ((part @ across.T).T for part in (origin - point, su, sv))
+        determinant = along_u[0] * along_v[1] - along_u[1] * along_v[0]
+        with np.errstate(divide="ignore", invalid="ignore"):
+            step_u = (missing[0] * along_v[1] - missing[1] * along_v[0]) / determinant
+            step_v = (along_u[0] * missing[1] - along_u[1] * missing[0]) / determinant
+        step = np.clip(np.nan_to_num(np.stack([step_u, step_v], axis=1)), -_LONGEST_STEP, _LONGEST_STEP)
+        before, at = at, np.clip(at + step, 0.0, 1.0)
+        if np.abs(at - before).max() <= _ROUNDING:
+            break
+    points = scene.patch.derivative_at(*at.T, 0, 0)
+    met = (np.linalg.norm((points - origin) @ across.T, axis=1) <= _MET) & ((points - origin) @ direction > 0)
+    return at[met], points[met]
+
+
+@dataclass(frozen=True, eq=False)
+class Reading:
+    """What is so at one point of a surface, in the document's units; arrays are float64 and read-only.
+
+    Parameters
+    ----------
+    u, v : its parameters
+    point, normal : (3,) and (3,), the normal of length 1 along S_u x S_v
+    gaussian, mean, largest, smallest : the curvatures; NaN where there are none
+    distance : from the reference; None where there is none
+    sensitivity : to the knot that was turned to; None where there is none, or colours say something else
+    """
+
+    u: float
+    v: float
+    point: Array
+    normal: Array
+    gaussian: float
+    mean: float
+    largest: float
+    smallest: float
+    distance: float | None
+    sensitivity: float | None
+
+
+def reading_at(scene: Scene, place: Place, by: ColourBy) -> Reading:
+    """Return everything that is so at a place of a scene's surface; the sensitivity where colours say it."""
+    (u, v), companions = place, scene.companions
+    curvature = scene.surface.curvature([u], [v])
+
+    def value(field: Field, companion: object) -> float:
+        return float(field_values(field, scene.surface, [u], [v], companion)[0, 0])
+
+    reference = companions.reference
+    has_slope = companions.knot is not None and by is ColourBy.SENSITIVITY
+    return Reading(
+        u,
+        v,
+        point=read_only(scene.surface.points([u], [v])[0, 0]),
+        normal=read_only(scene.surface.normals([u], [v])[0, 0]),
+        **{name: float(getattr(curvature, name)[0, 0]) for name in ("gaussian", "mean", "largest", "smallest")},
+        distance=None if reference is None else value(Field.DISTANCE, reference),
+        sensitivity=value(Field.SENSITIVITY, scene.knot_slope) if has_slope else None,
+    )

@@ -1,0 +1,74 @@
+"""What lies behind the surface: background, panes, grid, ticks and titles of the axes box."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from qovr_app.style.theme import Theme
+from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size
+from qovr_app.view3d.scene.axes import AxisEdge, axes_box
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.picture import Picture
+from qovr_core.arrays import Array
+
+_TICK_LENGTH = 4.0
+_TEXT_GAP = 5.0
+
+
+def backdrop_key(picture: Picture, size: Size) -> tuple[object, ...]:
+    """Return what the backdrop depends on: while it stays equal, a drawn backdrop can be used again."""
+    limits = None if picture.scene is None else picture.scene.frame.limits.tobytes()
+    settings = picture.settings
+    return size, picture.camera, limits, settings.axes, settings.theme, settings.scaling, picture.caption
+
+
+def draw_backdrop(painter: QPainter, picture: Picture, size: Size, *, transparent: bool = False) -> None:
+    """Draw everything that lies behind the surface.
+
+    Parameters
+    ----------
+    size : the viewport in logical pixels, which are the painter's units
+    transparent : leave the background and the panes out, for figures that lie on another page
+    """
+    theme = picture.theme
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    if not transparent:
+        painter.fillRect(QRectF(0, 0, *size), QColor(*theme.background))
+    if picture.scene is not None and picture.settings.axes:
+        box = axes_box(picture.scene.frame, picture.camera, size)
+        _draw_panes(painter, box.panes, theme, filled=not transparent)
+        painter.setPen(QPen(QColor(*theme.grid), 1.0))
+        painter.drawLines(_lines(box.grid))
+        for edge in box.edges:
+            _draw_edge(painter, edge, theme)
+    if picture.caption:
+        draw_text(painter, plain(picture.caption), (14, 12), (0, 0), theme.quiet_ink, pixels=NORMAL)
+
+
+def _lines(ends: Array) -> list[QLineF]:
+    return [QLineF(*line) for line in ends.reshape(-1, 4).tolist()]
+
+
+def _draw_panes(painter: QPainter, panes: Array, theme: Theme, *, filled: bool) -> None:
+    painter.setPen(QPen(QColor(*theme.grid), 1.0))
+    if filled:
+        painter.setBrush(QColor(*theme.pane))
+    for corners in panes.tolist():
+        painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in corners]))
+
+
+def _draw_edge(painter: QPainter, edge: AxisEdge, theme: Theme) -> None:
+    painter.setPen(QPen(QColor(*theme.axis), 1.0))
+    painter.drawLine(QLineF(*edge.start.tolist(), *edge.end.tolist()))
+    tips = edge.ticks + _TICK_LENGTH * edge.outward
+    painter.drawLines(_lines(np.stack([edge.ticks, tips], axis=1)))
+    alignment = (0.5 - edge.outward[0] / 2, 0.5 - edge.outward[1] / 2)
+    places = edge.ticks + (_TICK_LENGTH + _TEXT_GAP) * edge.outward
+    for place, text in zip(places.tolist(), edge.texts, strict=True):
+        draw_text(painter, plain(text), tuple(place), alignment, theme.quiet_ink)
+    sizes = [text_size(plain(text), SMALL) for text in edge.texts]
+    reach = max((abs(edge.outward[0]) * w + abs(edge.outward[1]) * h for w, h in sizes), default=0.0)
+    place = (edge.start + edge.end) / 2 + (_TICK_LENGTH + 2 * _TEXT_GAP + reach) * edge.outward
+    draw_text(painter, plain(edge.title), tuple(place.tolist()), alignment, theme.ink, pixels=NORMAL)

@@ -1,0 +1,32 @@
+"""Images to paint on, and painters that end whatever happens."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QImage, QPagedPaintDevice, QPaintDevice, QPainter
+
+from qovr_app.view3d.scene.camera import Size
+
+
+@contextmanager
+def painting(device: QPaintDevice | QPagedPaintDevice) -> Iterator[QPainter]:
+    """Give a painter and end it, also after an error: Qt crashes when its device goes before it."""
+    painter = QPainter(device)
+    try:
+        yield painter
+    finally:
+        painter.end()
+
+
+def blank_image(size: Size, ratio: float, reused: QImage | None = None) -> QImage:
+    """Return a transparent image for logical pixels at a device pixel ratio; the reused one where it fits."""
+    width, height = (max(1, round(side * ratio)) for side in size)
+    image = reused
+    if image is None or (image.width(), image.height()) != (width, height):
+        image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
+    image.setDevicePixelRatio(ratio)
+    image.fill(Qt.GlobalColor.transparent)
+    return image

@@ -1,0 +1,155 @@
+"""The colour bar: which value has which colour, and whether values lie beyond its ends."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
+
+from qovr_app.state.display import ColourBy
+from qovr_app.style.colour_maps import ENTRIES
+from qovr_app.style.theme import Theme
+from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.colouring import Colouring
+from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.reflection import BAND, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE
+from qovr_app.view3d.scene.ticks import tick_positions, tick_texts
+from qovr_core.arrays import Array
+
+_WIDTH = 14.0
+_RIGHT = 78.0
+"""From the bar's left side to the viewport's right: room for ticks and the upright title."""
+
+_PART_OF_HEIGHT = 0.62
+_TALLEST = 420.0
+_TICK_ROOM = 34.0
+_TICK_GAP = 6.0
+
+
+_ARROW = 9.0
+_FACTOR_GAP = 9.0
+_PLAIN_POWERS = range(-1, 4)
+"""Powers of ten of numbers that are written in full; what is smaller or larger has its power over the bar."""
+
+_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_STRIPES = 7
+
+
+def bar_rect(size: Size) -> QRectF:
+    """Return where the bar itself lies, in logical pixels."""
+    height = min(size[1] * _PART_OF_HEIGHT, _TALLEST)
+    return QRectF(round(size[0] - _RIGHT), round((size[1] - height) / 2), _WIDTH, round(height))
+
+
+@dataclass(frozen=True)
+class _Bar:
+    """Everything that decides how a colour bar looks."""
+
+    colouring: Colouring
+    theme: Theme
+    size: Size
+
+
+def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
+    """Draw the bar with its ticks and title; the picture has a scene. Where nothing has a value there is no bar."""
+    colouring = picture.colouring
+    if math.isnan(colouring.limits[0]) and colouring.by is not ColourBy.ZEBRA:
+        return
+    bar = _Bar(colouring, picture.theme, size)
+    if isinstance(painter.device(), QImage):
+        left = bar_rect(size).left() - 1
+        painter.drawImage(QPointF(left, 0), _drawn(bar, left, painter.device().devicePixelRatioF()))
+    else:
+        _draw(painter, bar)
+
+
+@lru_cache(maxsize=4)
+def _drawn(bar: _Bar, left: float, ratio: float) -> QImage:
+    """Return the strip of the viewport from ``left`` on; bars change less often than pictures."""
+    image = blank_image((bar.size[0] - left, bar.size[1]), ratio)
+    with painting(image) as painter:
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.translate(-left, 0)
+        _draw(painter, bar)
+    return image
+
+
+def _draw(painter: QPainter, bar: _Bar) -> None:
+    rect, colouring = bar_rect(bar.size), bar.colouring
+    painter.drawImage(rect, _gradient(colouring))
+    painter.setPen(QPen(QColor(*bar.theme.axis), 1.0))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.drawRect(rect.adjusted(-0.5, -0.5, 0.5, 0.5))
+    _draw_arrows(painter, rect, bar)
+    widest = 0.0 if colouring.by is ColourBy.ZEBRA else _draw_ticks(painter, rect, bar)
+    place = rect.right() + _TICK_GAP + widest + 4, rect.center().y()
+    title = with_subscripts(colouring.title)
+    draw_text(painter, title, place, (0, 0.5), bar.theme.ink, pixels=NORMAL, upright=True)
+
+
+def _gradient(colouring: Colouring) -> QImage:
+    """Return the colours as an image one pixel wide, high values on top."""
+    rows = colouring.table[::-1]
+    if colouring.by is ColourBy.ZEBRA:
+        rows = np.array([DARK_STRIPE, LIGHT_STRIPE], dtype=np.uint8)[np.arange(_STRIPES) % 2]
+    elif colouring.by is ColourBy.ISOPHOTES:
+        bands = round(LARGEST_ANGLE / BAND)
+        rows = rows[np.rint(np.linspace(0, ENTRIES - 1, bands)).astype(np.intp)]
+    rows = np.repeat(rows, ENTRIES // len(rows), axis=0)  # in steps, which no smoothing of the painter washes out
+    return QImage(rows.tobytes(), 1, len(rows), 3, QImage.Format.Format_RGB888).copy()
+
+
+def _draw_arrows(painter: QPainter, rect: QRectF, bar: _Bar) -> None:
+    """Draw a point in the end's colour where values lie beyond it."""
+    table, (below, above) = bar.colouring.table, bar.colouring.beyond
+    painter.setPen(QPen(QColor(*bar.theme.axis), 1.0))
+    for is_beyond, y, away, colour in ((below, rect.bottom(), 1, table[0]), (above, rect.top(), -1, table[-1])):
+        if is_beyond:
+            painter.setBrush(QColor(*colour.tolist()))
+            base = y + 0.5 * away
+            tip = QPointF(rect.center().x(), base + _ARROW * away)
+            ends = QPointF(rect.left() - 0.5, base), QPointF(rect.right() + 0.5, base)
+            painter.drawPolygon(QPolygonF([ends[0], tip, ends[1]]))
+
+
+def _draw_ticks(painter: QPainter, rect: QRectF, bar: _Bar) -> float:
+    """Draw ticks with their numbers, and the power of ten they are multiples of; return the widest number."""
+    theme, (low, high) = bar.theme, bar.colouring.limits
+    values, places = _ticks(rect, low, high)
+    power = _common_power(max(abs(low), abs(high)))
+    texts = tick_texts(values / 10.0**power) if high > low else [_short(low / 10.0**power)]
+    for y, text in zip(places.tolist(), texts, strict=True):
+        painter.setPen(QPen(QColor(*theme.axis), 1.0))
+        painter.drawLine(QLineF(rect.right() + 1, y, rect.right() + 4, y))
+        draw_text(painter, plain(text), (rect.right() + _TICK_GAP, y), (0, 0.5), theme.quiet_ink)
+    if power:
+        factor = f"×10{str(power).translate(_SUPERSCRIPTS)}"
+        over = rect.left(), rect.top() - _FACTOR_GAP - (_ARROW if bar.colouring.beyond[1] else 0.0)
+        draw_text(painter, plain(factor), over, (0, 0.5), theme.quiet_ink)
+    return max((text_size(plain(text), SMALL)[0] for text in texts), default=0.0)
+
+
+def _ticks(rect: QRectF, low: float, high: float) -> tuple[Array, Array]:
+    """Return the values that have a tick and their places along the screen's y."""
+    if not high > low:
+        return np.array([low]), np.array([rect.center().y()])
+    values = tick_positions(low, high, int(rect.height() / _TICK_ROOM))
+    if (low, high) == (0.0, LARGEST_ANGLE):
+        values = np.arange(0.0, LARGEST_ANGLE + BAND, BAND)
+    return values, rect.bottom() - (values - low) / (high - low) * rect.height()
+
+
+def _short(value: float) -> str:
+    return f"{value:.4g}".replace("-", "−")
+
+
+def _common_power(largest: float) -> int:
+    """Return the power of ten to be set apart from numbers up to ``largest``; 0 where they are short by themselves."""
+    power = math.floor(math.log10(largest)) if largest > 0 else 0
+    return 0 if power in _PLAIN_POWERS else power

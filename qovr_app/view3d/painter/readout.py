@@ -1,0 +1,74 @@
+"""What the probe says: a mark on the surface, and a table in the corner that never moves."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from qovr_app.view3d.interaction.probing import Reading, reading_at
+from qovr_app.view3d.painter.note import draw_plate
+from qovr_app.view3d.painter.text import SMALL, draw_text, plain, with_subscripts
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.picture import Picture
+
+_CORNER = (10.0, 34.0)
+"""Below the caption that tells two viewports apart."""
+
+_PAD, _ROW, _LABEL, _COLUMN = 8.0, 16.0, 62.0, 68.0
+_DIGITS = 5
+_RING = 5.0
+
+Rows = list[tuple[str, tuple[float, ...]]]
+
+
+def readout_rows(reading: Reading) -> Rows:
+    """Return what each line says: names, the letters after ``_`` being a subscript, and their numbers."""
+    rows: Rows = [
+        ("u, v", (reading.u, reading.v)),
+        ("x, y, z", tuple(reading.point.tolist())),
+        ("normal", tuple(reading.normal.tolist())),
+        ("K, H", (reading.gaussian, reading.mean)),
+        ("k_1, k_2", (reading.largest, reading.smallest)),
+    ]
+    if reading.distance is not None:
+        rows.append(("distance", (reading.distance,)))
+    if reading.sensitivity is not None:
+        rows.append(("|∂S/∂knot|", (reading.sensitivity,)))
+    return rows
+
+
+def readout_text(reading: Reading) -> str:
+    """Return a reading for the clipboard: a name and its numbers a line, at full precision, between tabs."""
+    lines = ("\t".join([name.replace("_", ""), *map(repr, numbers)]) for name, numbers in readout_rows(reading))
+    return "".join(f"{line}\n" for line in lines)
+
+
+def draw_readout(painter: QPainter, picture: Picture, size: Size) -> None:
+    """Draw the mark and the table of a picture that is probed."""
+    scene, theme = picture.scene, picture.theme
+    u, v = picture.probed
+    x, y, _ = picture.camera.project(scene.patch.points([u], [v])[0, 0], size).tolist()
+    if math.isfinite(x):
+        for colour, width in ((theme.rim, 4.0), (theme.ink, 1.6)):
+            painter.setPen(QPen(QColor(*colour), width))
+            painter.setBrush(QColor(0, 0, 0, 0))
+            painter.drawEllipse(QPointF(x, y), _RING, _RING)
+    rows = readout_rows(reading_at(scene, picture.probed, picture.settings.colour_by))
+    columns = max(len(numbers) for _, numbers in rows)
+    plate = QRectF(*_CORNER, 2 * _PAD + _LABEL + columns * _COLUMN, 2 * _PAD + len(rows) * _ROW)
+    draw_plate(painter, plate, theme)
+    for k, (name, numbers) in enumerate(rows):
+        middle = plate.top() + _PAD + (k + 0.5) * _ROW
+        draw_text(painter, with_subscripts(name), (plate.left() + _PAD, middle), (0, 0.5), theme.quiet_ink)
+        for column, number in enumerate(numbers):
+            right = plate.left() + _PAD + _LABEL + (column + 1) * _COLUMN
+            draw_text(painter, plain(_number(number)), (right, middle), (1, 0.5), theme.ink, pixels=SMALL)
+
+
+def _number(value: float) -> str:
+    """Return a number with as many digits as can be told from its neighbours, and a true minus sign."""
+    if math.isnan(value):
+        return "undefined"
+    return f"{value:.{_DIGITS}g}".replace("e-0", "e-").replace("e+0", "e").replace("-", "−")

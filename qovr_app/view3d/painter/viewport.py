@@ -1,0 +1,62 @@
+"""A viewport drawn by Qt's painter: the same scene through the same camera where OpenGL cannot be used."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, QTimer, Signal
+from PySide6.QtGui import QImage, QPaintEvent
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.view3d import failures
+from qovr_app.view3d.painter.backdrop import draw_backdrop
+from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.view3d.painter.overlay import draw_overlay
+from qovr_app.view3d.painter.surface import paint_surface, surface_image
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.picture import Picture
+
+
+class PainterViewport(QWidget):
+    """Shows a picture with QPainter; ``painted`` tells that a frame has been drawn."""
+
+    painted = Signal()
+
+    def __init__(self, picture: Picture, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._picture = picture
+        self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+
+    def set_picture(self, picture: Picture) -> None:
+        """Show another picture in the next frame."""
+        self._picture = picture
+        self.update()
+
+    @property
+    def logical_size(self) -> Size:
+        """Width and height in logical pixels, at least 1."""
+        return max(1.0, float(self.width())), max(1.0, float(self.height()))
+
+    def image(self) -> QImage:
+        """Return what is seen, freshly drawn."""
+        size = self.logical_size
+        image = blank_image(size, self.devicePixelRatioF())
+        with painting(image) as painter:
+            draw_backdrop(painter, self._picture, size)
+            paint_surface(painter, self._picture, size)
+            draw_overlay(painter, self._picture, size)
+        return image
+
+    def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
+        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical
+        pixels."""
+        return surface_image(picture, size, pixels)
+
+    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
+        # Drawn on an image first: there the overlay's lettering is placed on whole pixels, as with OpenGL.
+        with painting(self) as painter:
+            try:
+                painter.drawImage(0, 0, self.image())
+            except Exception as error:  # an exception must not escape into Qt's event loop
+                text = failures.report(error, "painting")
+                painter.fillRect(self.rect(), Qt.GlobalColor.darkGray)
+                painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
+        QTimer.singleShot(0, self, self.painted.emit)

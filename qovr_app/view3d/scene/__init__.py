@@ -1,0 +1,1 @@
+"""What is drawn, as values: frame, camera, scene, picture. NumPy alone."""

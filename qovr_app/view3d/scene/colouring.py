@@ -1,0 +1,185 @@
+"""What the colours of the surface say: the values behind them, the range they are spread over, and its title."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_app.state.display import ColourBy, ColourRange, DisplaySettings, Scaling
+from qovr_app.style.colour_maps import DIVERGING, ENTRIES, colour_table
+from qovr_app.style.symbols import CURVE_LETTERS, knot_letter
+from qovr_app.style.theme import Rgb
+from qovr_app.view3d.scene.mesh import Counts, FloatArray
+from qovr_app.view3d.scene.reflection import LARGEST_ANGLE
+from qovr_app.view3d.scene.scene import Scene
+from qovr_app.view3d.scene.surface_style import PATTERNS
+from qovr_core.arrays import Array, read_only
+from qovr_core.fields import FIELDS, Field, Range, field_range, field_rounding
+
+UNDEFINED = -1e6
+"""The part of the colours that a vertex without a value has: no other comes near it, and no driver tampers with it."""
+
+_FARTHEST = 1e3
+"""Parts of the colours are cut here on their way into single precision, far beyond where colours end."""
+
+_NO_RANGE = (np.nan, np.nan)
+_LONGEST_NAME = 24
+
+PIN_NOTE = "Pin a reference to see the distance from it: menu Laboratory, Pin as reference"
+KNOT_NOTE = "Put the keyboard into a knot's field to see what that knot moves"
+SINGULAR_NOTE = "There is no curvature: the surface is drawn together into a line or a point"
+
+_PATTERN_TITLES = {ColourBy.ZEBRA: "Zebra stripes", ColourBy.ISOPHOTES: "Normal to view, degrees"}
+_STRETCHED = " (stretched)"
+
+
+@dataclass(frozen=True, eq=False)
+class Colouring:
+    """The meaning of the colours of one viewport.
+
+    Parameters
+    ----------
+    by : what is shown
+    table : (256, 3) uint8, the colours from the lower to the upper limit
+    title : for the colour bar; the letters after ``_`` are a subscript
+    limits : the values at the ends of the colours; NaN where nothing has a value
+    beyond : whether values lie below the lower limit, and above the upper one
+    note : what keeps the picture from saying more, and how to change that; else empty
+    values : gives the values on a grid of so many vertices, (n, m) float64, NaN where there are none
+    """
+
+    by: ColourBy
+    table: npt.NDArray[np.uint8]
+    title: str
+    limits: Range = _NO_RANGE
+    beyond: tuple[bool, bool] = (False, False)
+    note: str = ""
+    values: Callable[[Counts], Array] = lambda counts: np.full(counts, np.nan)
+
+    def parts(self, counts: Counts) -> FloatArray:
+        """Return where in the colours the values on a grid lie: 0 and 1 are the ends, ``UNDEFINED`` is nowhere.
+
+        Returns
+        -------
+        (n, m) float32, read-only
+        """
+        values, (low, high) = self.values(counts), self.limits
+        parts = np.subtract(values, low)
+        if high > low:
+            parts *= 1 / (high - low)
+        else:
+            parts[np.isfinite(parts)] = 0.5
+        result = np.clip(parts, -_FARTHEST, _FARTHEST).astype(np.float32)
+        result[np.isnan(result)] = UNDEFINED
+        return read_only(result)
+
+    def colours(self, parts: Array, undefined: Rgb) -> npt.NDArray[np.uint8]:
+        """Return red, green and blue (..., 3) of parts of the colours; ``undefined`` where there is no value."""
+        entries = np.clip(parts * ENTRIES, 0, ENTRIES - 1).astype(np.intp)
+        is_undefined = parts < UNDEFINED / 2
+        return np.where(is_undefined[..., None], np.array(undefined, dtype=np.uint8), self.table[entries])
+
+
+def colouring_of(scene: Scene, settings: DisplaySettings, counts: Counts, *, moving: bool) -> Colouring:
+    """Return what the colours say of a scene; while the same is asked, the very same object.
+
+    Parameters
+    ----------
+    counts : the grid from which limits are taken where the settings leave them open
+    moving : something moves, so that costly values are taken from a coarser grid
+    """
+    key = (settings.colour_by, settings.colour_map, settings.colour_range, settings.fixed_range, settings.scaling)
+    found = scene.cache.get((key, counts, moving))
+    if found is None:
+        make = _pattern if settings.colour_by in PATTERNS else _field_colouring
+        found = scene.cache[key, counts, moving] = make(scene, settings, counts, moving)
+    return found
+
+
+def _pattern(scene: Scene, settings: DisplaySettings, counts: Counts, moving: bool) -> Colouring:  # noqa: ARG001
+    by = settings.colour_by
+    title = _PATTERN_TITLES[by] + (_STRETCHED if settings.scaling is Scaling.EACH else "")
+    limits = (0.0, LARGEST_ANGLE) if by is ColourBy.ISOPHOTES else _NO_RANGE
+    return Colouring(by, colour_table(settings.colour_map), title, limits)
+
+
+def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, moving: bool) -> Colouring:
+    by, field = settings.colour_by, Field(settings.colour_by.value)
+    title, note = _title(scene, field), _missing(scene, field)
+    colour_map = DIVERGING if FIELDS[field].is_diverging else settings.colour_map
+    if note:
+        return Colouring(by, colour_table(colour_map), title, note=note)
+
+    def values(counts: Counts) -> Array:
+        return scene.values(field, counts, moving=moving)
+
+    seen = np.stack([each.values(field, counts, moving=moving) for each in (scene, *scene.peers)])
+    limits, beyond = _limits(scene, settings, field, seen)
+    table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
+    return Colouring(by, table, title, limits, beyond, _remark(scene, field, limits), values)
+
+
+def _limits(scene: Scene, settings: DisplaySettings, field: Field, values: Array) -> tuple[Range, tuple[bool, bool]]:
+    """Return the limits, and whether values lie below or above them."""
+    least = field_rounding(field, scene.surface_box.T)
+    # Heights are those of the document's samples, like the boxes that are printed.
+    every = np.array([each.heights for each in (scene, *scene.peers)]) if field is Field.HEIGHT else values
+    low, high = field_range(field, every, robust=False, least=least)
+    if settings.colour_range is ColourRange.AUTO or np.isnan(low):
+        return (low, high), (False, False)
+    robust = settings.colour_range is ColourRange.ROBUST
+    limits = field_range(field, values, robust=True, least=least) if robust else settings.fixed_range
+    finite = values[np.isfinite(values)]
+    return limits, (bool(finite.min() < limits[0] - least), bool(finite.max() > limits[1] + least))
+
+
+def _reach(limits: Range) -> float:
+    return max(abs(limits[0]), abs(limits[1]))
+
+
+@lru_cache(maxsize=8)
+def _section(colour_map: str, reach: float, limits: Range) -> npt.NDArray[np.uint8]:
+    """Return the colours between two values of a map that is spread over [-reach, reach], (256, 3) uint8."""
+    table, (low, high) = colour_table(colour_map), limits
+    if not high > low or low == -high:
+        return table
+    places = (np.linspace(low, high, ENTRIES) / reach + 1) / 2 * (ENTRIES - 1)
+    channels = [np.interp(places, np.arange(ENTRIES), table[:, channel]) for channel in range(3)]
+    return read_only(np.rint(np.stack(channels, axis=1)).astype(np.uint8))
+
+
+def _title(scene: Scene, field: Field) -> str:
+    companions = scene.companions
+    if field is Field.DISTANCE and companions.reference_name:
+        name = companions.reference_name
+        return f"Distance from {name if len(name) <= _LONGEST_NAME else name[: _LONGEST_NAME - 1] + '…'}"
+    if field is Field.SENSITIVITY and companions.knot is not None:
+        return f"Sensitivity |∂S/∂{_knot_name(scene)}|"
+    return FIELDS[field].title
+
+
+def _knot_name(scene: Scene) -> str:
+    knot = scene.companions.knot
+    return f"{knot_letter(knot)}_ip of {CURVE_LETTERS[knot.direction]}_{knot.curve}"
+
+
+def _missing(scene: Scene, field: Field) -> str:
+    """Return what has to be done before there is anything to show."""
+    if field is Field.DISTANCE and scene.companions.reference is None:
+        return PIN_NOTE
+    if field is Field.SENSITIVITY and scene.is_rival:
+        return f"A {scene.name} surface has no internal knots"
+    return KNOT_NOTE if field is Field.SENSITIVITY and scene.companions.knot is None else ""
+
+
+def _remark(scene: Scene, field: Field, limits: Range) -> str:
+    """Return what the values leave to be said."""
+    if np.isnan(limits[0]):
+        return SINGULAR_NOTE
+    if field is Field.SENSITIVITY and not scene.knot_slope.coefficients.any():
+        return f"{_knot_name(scene)} has no effect on the {scene.document.formulation} surface"
+    return ""

@@ -1,0 +1,87 @@
+"""Which marks the surface hides: a hidden-line test on the CPU, the same for screen, fallback and figures.
+
+The surface is cut into blocks of cells. A mark is looked up among the blocks whose rectangle on the screen
+holds it, then among their cells, and only the triangles of those cells are tested.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from qovr_app.view3d.scene.camera import Camera, Size
+from qovr_app.view3d.scene.mesh import surface_vertices
+from qovr_core.arrays import Array, read_only
+from qovr_core.geometry.differential import ParametricSurface
+
+_CELLS = 36
+"""Cells a side: the hidden parts of lines then end within a pixel or two of where the drawn surface
+begins."""
+
+_BLOCK = 6
+"""Cells a side of a block; the two levels then cost about the same."""
+
+_BLOCKS = _CELLS // _BLOCK
+_FIRST, _SECOND = slice(None, -1), slice(1, None)
+_CORNERS = ((_FIRST, _FIRST), (_SECOND, _FIRST), (_SECOND, _SECOND), (_FIRST, _SECOND))
+
+_IN_FRONT = 0.012
+"""Unit lengths by which the surface must lie nearer than a mark to hide it: curves on the surface stay
+visible."""
+
+
+class Occluder:
+    """A patch as seen by a camera, ready to be asked what it hides."""
+
+    def __init__(self, patch: ParametricSurface, camera: Camera, size: Size) -> None:
+        mesh = surface_vertices(patch, (_CELLS + 1, _CELLS + 1))[..., :3].astype(np.float64)
+        self._camera, self._size = camera, size
+        seen = _seen(mesh, camera, size)
+        # Kept as coordinates of columns, which NumPy compares far faster than rows of two or three.
+        a, b, c, d = (
+            seen[rows, columns].reshape(_BLOCKS, _BLOCK, _BLOCKS, _BLOCK, 3).transpose(4, 0, 2, 1, 3)
+            for rows, columns in _CORNERS
+        )
+        cells = (3, _BLOCKS * _BLOCKS, _BLOCK * _BLOCK)
+        self._corners = [corner.reshape(cells) for corner in (a, b, c, d)]
+        self._cell_low = np.minimum(np.minimum(a, b), np.minimum(c, d)).reshape(cells)
+        self._cell_high = np.maximum(np.maximum(a, b), np.maximum(c, d)).reshape(cells)
+        self._low, self._high = self._cell_low.min(axis=2), self._cell_high.max(axis=2)
+
+    def hidden(self, points: Array) -> Array:
+        """Return which points (k, 3) of the unit space lie behind the surface, (k,) bool."""
+        result = np.zeros(len(points), dtype=bool)
+        marks = _seen(points, self._camera, self._size).T
+        mark, block = np.nonzero(_within(marks[..., None], self._low[:, None], self._high[:, None]))
+        low, high = self._cell_low[:, block], self._cell_high[:, block]
+        pair, cell = np.nonzero(_within(marks[:, mark, None], low, high))
+        mark, block = mark[pair], block[pair]
+        a, b, c, d = (corner[:, block, cell] for corner in self._corners)
+        at = marks[:, mark]
+        for triangle in ((a, b, c), (a, c, d)):
+            result[mark[_covers(*triangle, at)]] = True
+        return read_only(result)
+
+
+def _within(at: Array, low: Array, high: Array) -> Array:
+    """Return whether marks lie in rectangles on the screen and not certainly before what is in them."""
+    inside = (at[0] >= low[0]) & (at[0] <= high[0]) & (at[1] >= low[1]) & (at[1] <= high[1])
+    return inside & (at[2] + _IN_FRONT < high[2])
+
+
+def _seen(points: Array, camera: Camera, size: Size) -> Array:
+    """Return x, y in pixels and the distance in unit lengths toward the viewer, larger being nearer."""
+    seen = camera.project(points, size)
+    seen[..., 2] = points @ camera.axes[2]
+    return seen
+
+
+def _covers(a: Array, b: Array, c: Array, at: Array) -> Array:
+    """Return whether each triangle, corners (3, k), lies over its mark (3, k) on the screen, and nearer."""
+    ab, ac, am = b - a, c - a, at - a
+    area = ab[0] * ac[1] - ab[1] * ac[0]
+    # A triangle seen edge on has no area; what is infinite or no number then lies inside nothing.
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        s = (am[0] * ac[1] - am[1] * ac[0]) / area
+        t = (ab[0] * am[1] - ab[1] * am[0]) / area
+        inside = (s >= 0) & (t >= 0) & (s + t <= 1)
+        return inside & (s * ab[2] + t * ac[2] - am[2] > _IN_FRONT)

@@ -1,0 +1,83 @@
+"""Everything one viewport draws in one frame, as a value: scene, settings, camera and marks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from qovr_app.state.display import DisplaySettings, Style
+from qovr_app.style.theme import Theme, theme_of
+from qovr_app.view3d.scene.camera import Camera, Margins, Size
+from qovr_app.view3d.scene.colouring import Colouring, colouring_of
+from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
+from qovr_app.view3d.scene.scene import NetIndex, Scene
+from qovr_app.view3d.scene.surface_style import PATTERNS
+
+_BAR_ROOM = 104.0
+_AXES_ROOM = 58.0
+_TITLE_ROOM = 92.0
+"""At the left, where the z axis carries numbers and a title side by side."""
+
+_BARE_ROOM = 28.0
+_NARROW = 340.0
+"""A viewport narrower than this in logical pixels has no room for a colour bar beside the surface."""
+
+
+@dataclass(frozen=True, eq=False)
+class Picture:
+    """What is drawn.
+
+    Parameters
+    ----------
+    scene : None before the first result
+    moving : draw on a coarser grid, because the next frame is near
+    probed : the parameters u and v of the point that is read off, or nothing
+    caption : a word in the corner that tells two viewports apart, or nothing
+    """
+
+    settings: DisplaySettings
+    camera: Camera
+    scene: Scene | None = None
+    selected: NetIndex | None = None
+    hovered: NetIndex | None = None
+    moving: bool = False
+    probed: tuple[float, float] | None = None
+    caption: str = ""
+
+    @property
+    def theme(self) -> Theme:
+        return theme_of(self.settings.theme)
+
+    @property
+    def counts(self) -> Counts:
+        """Vertices of the display grid along u and v."""
+        if self.scene is None:
+            return (2, 2)
+        return display_counts(self.scene.document.samples, self.settings.style, moving=self.moving)
+
+    @property
+    def has_facets(self) -> bool:
+        """Whether every cell has one colour, that of its first corner."""
+        return self.settings.style is Style.FACETS and self.settings.colour_by not in PATTERNS
+
+    @property
+    def coloured_counts(self) -> Counts:
+        """The grid on which colours are given, along u and v."""
+        return facet_counts(self.scene.document.samples) if self.has_facets else self.counts
+
+    @property
+    def colouring(self) -> Colouring:
+        """What the colours say; the picture has a scene."""
+        return colouring_of(self.scene, self.settings, self.coloured_counts, moving=self.moving)
+
+
+def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
+    """Return whether a viewport of this size shows the colour bar."""
+    return settings.colour_bar and settings.surface and size[0] >= _NARROW
+
+
+def margins(settings: DisplaySettings, size: Size) -> Margins:
+    """Return the room that a fitted picture leaves for labels and colour bar."""
+    side = _AXES_ROOM if settings.axes else _BARE_ROOM
+    left = _TITLE_ROOM if settings.axes else _BARE_ROOM
+    right = _BAR_ROOM if has_colour_bar(settings, size) else side
+    return Margins(left=left, top=_BARE_ROOM, right=right, bottom=side)

@@ -1,0 +1,177 @@
+"""The scene: what one viewport shows, in the unit space; made from a result, never from its samples."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Protocol
+
+import numpy as np
+
+from qovr_app.state.display import Layer, Scaling
+from qovr_app.view3d.scene.frame import Frame, frame_around
+from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
+from qovr_core import CurveNetwork, Document, ParametricSurface, Patch, curve_network
+from qovr_core.arrays import Array, read_only
+from qovr_core.edits import KnotPlace
+from qovr_core.evaluation import Layer as SurfaceLayer
+from qovr_core.evaluation import parameters
+from qovr_core.fields import Field, field_values
+
+CURVE_POINTS = 49
+"""Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
+
+_FINEST = {Field.DISTANCE: (25, 101)}
+_FINEST_CURVATURE = (49, 201)
+"""Samples a side of a field while something moves and at rest. Between them values are interpolated: fields are smooth,
+and a closest point costs as much as a hundred heights."""
+
+NetIndex = tuple[int, int]
+"""Row i and column j of a control point."""
+
+
+class Result(Protocol):
+    """The part of ``qovr_core.Surface`` that the view reads: nothing of the size of the samples."""
+
+    @property
+    def document(self) -> Document: ...
+    @property
+    def patch(self) -> Patch: ...
+    @property
+    def control_box(self) -> Array: ...
+    @property
+    def raw_box(self) -> Array: ...
+    @property
+    def matrix(self) -> Array: ...
+    @property
+    def flat_axes(self) -> tuple[str, ...]: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Companions:
+    """What a scene is looked at with, and is no part of it.
+
+    Parameters
+    ----------
+    reference : a surface in the document's units, from which distances are taken; it stays what it was
+    reference_name : what to call it
+    knot : the knot to which the sensitivity is shown
+    """
+
+    reference: ParametricSurface | None = None
+    reference_name: str = ""
+    knot: KnotPlace | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """One layer of a result in its frame.
+
+    Parameters
+    ----------
+    layer : raw or transformed
+    frame : the axes' limits and the way into the unit space
+    patch : the surface in the unit space
+    heights : lowest and highest z of the surface, in the document's units: the ends of the colour map
+    surface : the surface in the document's units
+    result : for the samples, the control points and the curves, and what its knots do
+    surface_box, control_box : (3, 2) in the document's units
+    companions : what it is looked at with
+    name : of its surface where there are several, else empty
+    is_rival : whether the surface is not the document's, but one of the same control net that is compared with it
+    rival_name, rival_lines : a surface drawn over this one by its lines (k, n, 3) of the unit space; k is 0 without one
+    peers : scenes beside this one in which a colour means the same
+    """
+
+    layer: Layer
+    frame: Frame
+    patch: ParametricSurface
+    heights: tuple[float, float]
+    surface: ParametricSurface
+    result: Result
+    surface_box: Array
+    control_box: Array
+    companions: Companions = field(default_factory=Companions)
+    name: str = ""
+    is_rival: bool = False
+    rival_name: str = ""
+    rival_lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
+    peers: list[Scene] = field(default_factory=list, init=False, repr=False)
+    cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
+
+    @property
+    def document(self) -> Document:
+        """The document of the result."""
+        return self.result.document
+
+    @cached_property
+    def knot_slope(self) -> Patch:
+        """dS/dknot for the companions' knot, in the document's units."""
+        from qovr_core.laboratory.sensitivity import knot_sensitivity
+
+        return knot_sensitivity(self.result, self.companions.knot, SurfaceLayer(self.layer.value))
+
+    def values(self, of: Field, counts: Counts, *, moving: bool) -> Array:
+        """Return the values of a field on a grid, (n, m) float64 in the document's units; computed once."""
+        finest = counts if of is Field.HEIGHT else (_FINEST.get(of, _FINEST_CURVATURE)[not moving],) * 2
+        few = min(counts[0], finest[0]), min(counts[1], finest[1])
+        if (of, few) not in self.cache:
+            companion = {Field.DISTANCE: self.companions.reference}.get(of)
+            if of is Field.SENSITIVITY:
+                companion = self.knot_slope
+            self.cache[of, few] = field_values(of, self.surface, *map(parameters, few), companion)
+        return spread(self.cache[of, few], counts)
+
+    @cached_property
+    def points(self) -> Array:
+        """The control points in the unit space, (5, 5, 3)."""
+        return read_only(self.frame.to_unit(self.document.control_points))
+
+    @cached_property
+    def network(self) -> CurveNetwork:
+        """The ten curves of the document, in its own units."""
+        return curve_network(self.document)
+
+    @cached_property
+    def row_curves(self) -> Array:
+        """C_0(u) .. C_4(u) in the unit space, (5, k, 3)."""
+        return read_only(self.frame.to_unit(curve_points(self.network.rows, CURVE_POINTS)))
+
+    @cached_property
+    def column_curves(self) -> Array:
+        """K_0(v) .. K_4(v) in the unit space, (5, k, 3)."""
+        return read_only(self.frame.to_unit(curve_points(self.network.columns, CURVE_POINTS)))
+
+
+def mapped_box(box: Array, matrix: Array) -> Array:
+    """Return a box (3, 2) mapped by a (4, 4) matrix that scales each axis by a positive factor and moves
+    it."""
+    return matrix[:3, :3].diagonal()[:, None] * box + matrix[:3, 3:]
+
+
+def scene_frame(result: Result, layer: Layer, scaling: Scaling, *others: Array) -> Frame:
+    """Return the frame that holds a layer's surface and the control net, as in the paper's Figure 5, and others."""
+    return frame_around([_surface_box(result, layer), result.control_box, *others], scaling)
+
+
+def make_scene(result: Result, layer: Layer, frame: Frame, companions: Companions | None = None) -> Scene:
+    """Return one layer of a result in a frame."""
+    matrix = frame.matrix if layer is Layer.RAW else frame.matrix @ result.matrix
+    box = _surface_box(result, layer)
+    surface = result.patch if layer is Layer.RAW else result.patch.transformed(result.matrix)
+    return Scene(
+        layer=layer,
+        frame=frame,
+        patch=result.patch.transformed(matrix),
+        heights=(float(box[2, 0]), float(box[2, 1])),
+        surface=surface,
+        result=result,
+        surface_box=read_only(box),
+        control_box=result.control_box,
+        companions=companions or Companions(),
+    )
+
+
+def _surface_box(result: Result, layer: Layer) -> Array:
+    box = result.raw_box if layer is Layer.RAW else mapped_box(result.raw_box, result.matrix)
+    return np.array(box)

@@ -1,0 +1,67 @@
+"""How the surface looks, whoever draws it: parameter lines, point sizes, light."""
+
+from __future__ import annotations
+
+from qovr_app.state.display import ColourBy, DisplaySettings, Style
+from qovr_app.view3d.scene.mesh import Counts
+
+PATTERNS = (ColourBy.ZEBRA, ColourBy.ISOPHOTES)
+"""What is no field of the surface, but made of its normals and the camera."""
+
+POINT_SIZE = 3.0
+"""Logical pixels across a sample in the style of points."""
+
+_LINE_WIDTHS = {Style.FACETS: 1.0, Style.SMOOTH: 1.0, Style.WIREFRAME: 1.1, Style.POINTS: 0.0}
+_LINE_OPACITIES = {Style.FACETS: 0.62, Style.SMOOTH: 0.30, Style.WIREFRAME: 1.0, Style.POINTS: 0.0}
+
+_FIELD_LINES = 0.55
+"""Over anything but height facets have lines that much paler: pale colours are to be read through them."""
+
+_PATTERN_LINES = 0.4
+"""Over stripes and bands, which are lines themselves, parameter lines are that much paler."""
+
+_FIELD_RELIEF = 0.45
+"""Light on the smooth surface is that much weaker where colours are to be compared with those of the bar."""
+
+_COARSE_LINES = 20
+"""Lines a side that stay while finer ones fade for want of room; each is a round number of samples apart."""
+
+_FINE_LINES = 100
+_ROUND = (1, 2, 5)
+
+
+def line_width(style: Style) -> float:
+    """Return the width of parameter lines in logical pixels."""
+    return _LINE_WIDTHS[style]
+
+
+def line_opacity(settings: DisplaySettings) -> float:
+    """Return the opacity of parameter lines; 0 means none."""
+    shown = settings.parameter_lines or settings.style is Style.WIREFRAME
+    paler = _PATTERN_LINES if settings.colour_by in PATTERNS else 1.0
+    if settings.style is Style.FACETS and settings.colour_by not in (ColourBy.HEIGHT, *PATTERNS):
+        paler = _FIELD_LINES
+    return _LINE_OPACITIES[settings.style] * paler if shown else 0.0
+
+
+def relief(settings: DisplaySettings) -> float:
+    """Return how much of the light is seen on the smooth surface, from 0 to 1."""
+    return 1.0 if settings.colour_by is ColourBy.HEIGHT else _FIELD_RELIEF
+
+
+def line_periods(samples: Counts) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return after how many samples along u and v a fine and a coarse parameter line comes."""
+    fine, coarse = (
+        tuple(float(_period(count - 1, lines)) for count in samples) for lines in (_FINE_LINES, _COARSE_LINES)
+    )
+    return fine, coarse
+
+
+def _period(cells: int, lines: int) -> int:
+    """Return the smallest of 1, 2, 5, 10, ... cells that makes no more than ``lines`` lines."""
+    power = 1
+    while True:
+        for factor in _ROUND:
+            if cells <= lines * factor * power:
+                return factor * power
+        power *= 10

@@ -1,0 +1,1 @@
+"""Small widgets that zones, panels and dialogs share."""

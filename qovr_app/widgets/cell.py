@@ -1,0 +1,61 @@
+"""The cell behind a number: its background, frame and bar say what the number's state is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from PySide6.QtCore import QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen
+
+from qovr_app.style.colours import look
+
+_RADIUS = 3.0
+_BAR = 3.0
+
+
+@dataclass(frozen=True)
+class Marks:
+    """What there is to say of a number.
+
+    ``is_pending`` it is not set, ``is_bad`` it was refused, ``is_warned`` it will surprise, ``is_marked`` it belongs to
+    what is selected in the view.
+    """
+
+    is_pending: bool
+    is_bad: bool
+    is_warned: bool
+    is_marked: bool
+    has_focus: bool
+    is_hovered: bool
+
+
+def paint_cell(painter: QPainter, rect: QRectF, marks: Marks) -> None:
+    """Paint a cell. State has a colour and, for eyes that do not see it, a bar at the left."""
+    fill, edge, bar = _colours(marks)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    frame = rect.adjusted(0.5, 0.5, -0.5, -0.5)
+    painter.setPen(QPen(edge, 1.0))
+    painter.setBrush(fill)
+    painter.drawRoundedRect(frame, _RADIUS, _RADIUS)
+    if marks.has_focus:
+        painter.setBrush(Qt.BrushStyle.NoBrush)
+        painter.drawRoundedRect(frame.adjusted(1, 1, -1, -1), _RADIUS - 1, _RADIUS - 1)
+    if bar is not None:
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(bar)
+        painter.drawRoundedRect(QRectF(1, 1, _BAR, rect.height() - 2), _BAR / 2, _BAR / 2)
+
+
+def _colours(marks: Marks) -> tuple[QColor, QColor, QColor | None]:
+    """Return background, frame and bar."""
+    colours = look()
+    edge = colours.hover if marks.is_hovered else colours.edge
+    if marks.has_focus or marks.is_marked:
+        edge = colours.accent
+    if marks.is_bad:
+        return colours.bad_cell, colours.bad, colours.bad
+    if marks.is_pending:
+        return colours.accent_cell, edge, colours.accent
+    if marks.is_warned:
+        return colours.warn_cell, edge, colours.warn
+    return colours.cell, edge, None

@@ -1,0 +1,297 @@
+"""One number of the document as a field."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QPainter
+from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
+
+from qovr_app.state.number_texts import fitted_text, is_block, number_text, typed_number
+from qovr_app.style.colours import look, number_font, see_through
+from qovr_app.widgets.bursts import Bursts
+from qovr_app.widgets.cell import Marks, paint_cell
+from qovr_core import QovrError
+
+_PADDING = 4
+_HEIGHT_BEYOND_TEXT = 4
+_STEP_DECIMALS = 12
+"""A step is rounded to this many decimals, so that 0.1 + 0.2 is 0.3."""
+
+_STEPS = {
+    Qt.Key.Key_Up: 1.0,
+    Qt.Key.Key_Down: -1.0,
+    Qt.Key.Key_PageUp: 10.0,
+    Qt.Key.Key_PageDown: -10.0,
+}
+
+
+class NumberField(QLineEdit):
+    """Shows a number exactly and lets another be typed.
+
+    Its text is the shortest that reads back as the number. Text that differs from the shown number is the field's own:
+    it stays until it is committed, reverted, or the number itself changes.
+
+    Parameters
+    ----------
+    name : what messages call the field
+    check : returns a typed value as the number it is, or raises a QovrError; its arguments are value and name
+    step : by how much the arrow keys change the number
+
+    Signals
+    -------
+    value_edited : a valid number and its gesture, 0 for none
+    refused : why the text is no number for this field; empty when a refusal no longer holds
+    text_owned : whether the field has text of its own has changed
+    focused : the field has the keyboard now
+    block_pasted : a spreadsheet's text of several cells
+    """
+
+    value_edited = Signal(float, int)
+    refused = Signal(str)
+    text_owned = Signal()
+    focused = Signal()
+    block_pasted = Signal(str)
+
+    def __init__(
+        self, name: str, check: Callable[[object, str], float], step: float, parent: QWidget | None = None
+    ) -> None:
+        super().__init__(parent)
+        self._name, self._check, self._step_size = name, check, step
+        self._value, self._shown = 0.0, ""
+        self._error = self._warning = self._tip = ""
+        self._is_unset = self._is_idle = self._is_marked = False
+        self._bursts = Bursts(self)
+        self.setFrame(False)
+        self.setAcceptDrops(False)  # a file dropped here is meant for the window
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setTextMargins(_PADDING - 2, 0, _PADDING - 2, 0)
+        self.setPalette(see_through(self.palette()))
+        self.setFont(number_font(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.textChanged.connect(self._on_text_changed)
+        self.editingFinished.connect(self.commit)
+
+    # The number
+
+    @property
+    def value(self) -> float:
+        """The number that was shown last, whatever is typed over it."""
+        return self._value
+
+    @property
+    def has_own_text(self) -> bool:
+        """Whether the field holds text that is not its number."""
+        return self.text() != self._shown
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether what the field holds is not set."""
+        return self._is_unset or self.has_own_text
+
+    @property
+    def error(self) -> str:
+        """Why the field's own text was refused; empty where it was not."""
+        return self._error
+
+    def show_value(self, value: float, *, is_unset: bool = False) -> None:
+        """Show a number; the field's own text stays where the number is the one it had."""
+        if value != self._value or not self._shown:
+            self._put(value)
+        if is_unset != self._is_unset:
+            self._is_unset = is_unset
+            self._refresh()
+
+    def revert(self) -> None:
+        """Drop the field's own text."""
+        self._put(self._value)
+
+    def typed(self) -> float:
+        """Return the number that the text says.
+
+        Raises
+        ------
+        QovrError : it says none that the field may hold; the field is marked
+        """
+        if not self.has_own_text:
+            return self._value
+        try:
+            return self._check(typed_number(self.text()), self._name)
+        except QovrError as error:
+            self._error = str(error)
+            self._refresh()
+            raise
+
+    def commit(self) -> None:
+        """Report the field's own text as an edit, or why it is none."""
+        if not self.has_own_text:
+            return
+        try:
+            value = self.typed()
+        except QovrError as error:
+            self.refused.emit(str(error))
+            return
+        self._put(value)
+        self.value_edited.emit(value, 0)
+
+    def accept(self) -> None:
+        """Take the field's own text, which is a valid number, for the number it shows."""
+        self._put(self.typed())
+
+    # Marks
+
+    def set_tip(self, text: str) -> None:
+        """Say what the number means."""
+        self._tip = text
+        self._refresh()
+
+    def set_warning(self, text: str) -> None:
+        """Mark a number that is allowed but will surprise; empty takes the mark away."""
+        if text != self._warning:
+            self._warning = text
+            self._refresh()
+
+    def set_idle(self, is_idle: bool) -> None:
+        """Dim a number that has no effect now."""
+        if is_idle != self._is_idle:
+            self._is_idle = is_idle
+            self._refresh()
+
+    def set_marked(self, is_marked: bool) -> None:
+        """Frame a number that belongs to what is selected elsewhere."""
+        if is_marked != self._is_marked:
+            self._is_marked = is_marked
+            self.update()
+
+    def _put(self, value: float) -> None:
+        had_error = bool(self._error)
+        self._value, self._shown, self._error = value, number_text(value), ""
+        self.setText(self._shown)
+        self.setModified(False)
+        if not self.hasFocus():
+            self.setCursorPosition(0)
+        self._refresh()
+        if had_error:
+            self.refused.emit("")
+
+    def _refresh(self) -> None:
+        parts = [self._error, self._warning, self._tip]
+        if self.is_pending and not self._error:
+            parts.insert(0, "Not set yet: Set writes it, Get brings the active value back.")
+        self.setToolTip("\n".join(part for part in parts if part))
+        self.setAccessibleDescription(self.toolTip())
+        self.update()
+
+    def _on_text_changed(self) -> None:
+        if self._error:
+            self._error = ""
+            self.refused.emit("")
+        self._refresh()
+        self.text_owned.emit()
+
+    # Keys and mouse
+
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+            is_history = event.matches(QKeySequence.StandardKey.Undo) or event.matches(QKeySequence.StandardKey.Redo)
+            if is_history and not self.has_own_text:
+                # The line edit would keep these keys for itself; with nothing typed they are the document's.
+                event.ignore()
+                return False
+        return super().event(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in _STEPS and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
+            self._step(_STEPS[event.key()])
+        elif event.key() == Qt.Key.Key_Escape and self.has_own_text:
+            self.revert()
+            self.selectAll()
+        elif event.matches(QKeySequence.StandardKey.Paste) and is_block(QGuiApplication.clipboard().text()):
+            self.block_pasted.emit(QGuiApplication.clipboard().text())
+        else:
+            super().keyPressEvent(event)
+
+    def _step(self, count: float) -> None:
+        try:
+            stepped = round(self.typed() + count * self._step_size, _STEP_DECIMALS)
+            value = self._check(stepped, self._name)
+        except QovrError as error:
+            self.refused.emit(str(error))
+            return
+        self._put(value)
+        self.selectAll()
+        self.value_edited.emit(value, self._bursts.step())
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        if self._selects_on_release and not self.hasSelectedText():
+            self.selectAll()
+        self._selects_on_release = False
+
+    _selects_on_release = False
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._selects_on_release = event.reason() == Qt.FocusReason.MouseFocusReason
+        self.focused.emit()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._bursts.end()
+        self.deselect()
+        self.setCursorPosition(0)
+
+    # Looks
+
+    def sizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        return QSize(metrics.horizontalAdvance("0.0000") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
+
+    def minimumSizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        return QSize(metrics.horizontalAdvance("0.00") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
+
+    def enterEvent(self, event: QEvent) -> None:
+        super().enterEvent(event)
+        self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QEvent) -> None:
+        painter = QPainter(self)
+        paint_cell(painter, QRectF(self.rect()), self._marks())
+        painter.end()
+        if self.hasFocus():
+            super().paintEvent(event)
+        else:
+            self._paint_text()
+
+    def _marks(self) -> Marks:
+        return Marks(
+            is_pending=self.is_pending,
+            is_bad=bool(self._error),
+            is_warned=bool(self._warning),
+            is_marked=self._is_marked,
+            has_focus=self.hasFocus(),
+            is_hovered=self.underMouse(),
+        )
+
+    def _paint_text(self) -> None:
+        colours, painter = look(), QPainter(self)
+        room = self.width() - 2 * _PADDING
+        metrics = self.fontMetrics()
+        text = self.text()
+        if not self.has_own_text:
+            text = fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room)
+        elif metrics.horizontalAdvance(text) > room:
+            text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
+        painter.setFont(self.font())
+        painter.setPen(colours.quiet if self._is_idle and not self.is_pending else colours.ink)
+        painter.drawText(
+            self.rect().adjusted(_PADDING, 0, -_PADDING, 0),
+            Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
+            text,
+        )

@@ -1,0 +1,165 @@
+"""A small table of computed numbers that can be selected and copied in full."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QSize, Qt
+from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPalette
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QFrame,
+    QHeaderView,
+    QLabel,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QTableWidget,
+    QTableWidgetItem,
+    QWidget,
+)
+
+from qovr_app.state.number_texts import block_text, number_text
+from qovr_app.style.colours import number_font, see_through
+from qovr_core.arrays import Array
+
+_MOST_DIGITS = 6
+_FEWEST_DIGITS = 3
+_ROW_BEYOND_TEXT = 4
+_ITEM_PADDING = 8
+_ROW_HEADER_WIDTH = 36
+_PLAIN_HEADERS = """
+QHeaderView { background: transparent; }
+QHeaderView::section, QTableCornerButton::section { border: none; background: transparent; }
+QHeaderView::section { color: palette(placeholder-text); }
+"""
+
+
+class _FittingDelegate(QStyledItemDelegate):
+    """Writes a number with as many digits, up to six, as the column is wide; dimmed where it is no longer true."""
+
+    is_quiet = False
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> None:
+        super().initStyleOption(option, index)
+        if self.is_quiet:
+            option.palette.setBrush(QPalette.ColorRole.Text, option.palette.placeholderText())
+        value = index.data(Qt.ItemDataRole.UserRole)
+        room = option.rect.width() - _ITEM_PADDING
+        for digits in range(_MOST_DIGITS, _FEWEST_DIGITS - 1, -1):
+            option.text = f"{value:.{digits}g}"
+            if option.fontMetrics.horizontalAdvance(option.text) <= room:
+                return
+
+
+class NumberTable(QTableWidget):
+    """Rows and columns of numbers, read only; what is copied has every digit.
+
+    Parameters
+    ----------
+    corner : what stands above the row headers
+    rows, columns : what the headers say
+    """
+
+    def __init__(
+        self,
+        name: str,
+        spoken: str,
+        *,
+        corner: str,
+        rows: list[str],
+        columns: list[str],
+        parent: QWidget | None = None,
+    ) -> None:
+        super().__init__(len(rows), len(columns), parent)
+        self.setObjectName(name)
+        self.setAccessibleName(spoken)
+        self._numbers = np.full((len(rows), len(columns)), np.nan)
+        self.setFont(number_font(self.font()))
+        self.setPalette(see_through(self.palette()))
+        self._delegate = _FittingDelegate(self)
+        self.setItemDelegate(self._delegate)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setShowGrid(False)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setTabKeyNavigation(False)
+        self.setCornerButtonEnabled(False)
+        self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._set_headers(rows, columns)
+        self._make_headers_plain()
+        self._fill()
+        self._corner = QLabel(corner, self)
+        self._corner.setTextFormat(Qt.TextFormat.RichText)
+        self._corner.setGeometry(0, 0, _ROW_HEADER_WIDTH, self._row_height())
+        self.setFixedHeight(self._content_height())
+
+    def show_numbers(self, numbers: Array) -> None:
+        """Show an array of the table's shape."""
+        for (r, c), value in np.ndenumerate(numbers):
+            if value != self._numbers[r, c]:
+                item = self.item(r, c)
+                item.setData(Qt.ItemDataRole.UserRole, float(value))
+                item.setText(f"{value:.{_MOST_DIGITS}g}")
+                item.setToolTip(number_text(value))
+        self._numbers = np.array(numbers)
+
+    def set_quiet(self, is_quiet: bool) -> None:
+        """Dim numbers that are no longer true."""
+        self._delegate.is_quiet = is_quiet
+        self.viewport().update()
+
+    def copy(self) -> None:
+        """Copy what is selected, or all, as a spreadsheet takes it."""
+        chosen = {(index.row(), index.column()) for index in self.selectedIndexes()}
+        rows = sorted({r for r, _ in chosen}) or range(self.rowCount())
+        columns = sorted({c for _, c in chosen}) or range(self.columnCount())
+        QGuiApplication.clipboard().setText(block_text([[self._numbers[r, c] for c in columns] for r in rows]))
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copy()
+        else:
+            super().keyPressEvent(event)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            self._make_headers_plain()
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(160, self._content_height())
+
+    def _make_headers_plain(self) -> None:
+        """Style the headers in the theme in force; a style sheet of the table's own would keep its numbers from it."""
+        for part in (self.horizontalHeader(), self.verticalHeader(), self.findChild(QAbstractButton)):
+            part.setStyleSheet(_PLAIN_HEADERS)
+
+    def _content_height(self) -> int:
+        return (self.rowCount() + 1) * self._row_height()
+
+    def _row_height(self) -> int:
+        return self.fontMetrics().height() + _ROW_BEYOND_TEXT
+
+    def _fill(self) -> None:
+        for r in range(self.rowCount()):
+            for c in range(self.columnCount()):
+                item = QTableWidgetItem()
+                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+                item.setData(Qt.ItemDataRole.UserRole, float("nan"))
+                self.setItem(r, c, item)
+
+    def _set_headers(self, rows: list[str], columns: list[str]) -> None:
+        across, down = self.horizontalHeader(), self.verticalHeader()
+        for header in (across, down):
+            header.setMinimumSectionSize(8)
+            header.setSectionsClickable(False)
+            header.setHighlightSections(False)
+            header.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
+        across.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        across.setFixedHeight(self._row_height())
+        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        down.setDefaultSectionSize(self._row_height())
+        down.setFixedWidth(_ROW_HEADER_WIDTH)
+        self.setHorizontalHeaderLabels(columns)
+        self.setVerticalHeaderLabels(rows)

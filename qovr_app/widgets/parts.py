@@ -1,0 +1,89 @@
+"""Small widgets that the zones share."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, Qt
+from PySide6.QtGui import QColor, QPalette
+from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
+
+from qovr_app.style.colours import SPACE, look
+from qovr_app.window.application import theme
+
+_WHITE = QColor(255, 255, 255)
+_NIGHT = QColor(16, 20, 28)
+_PALE = 140
+"""An accent lighter than this takes dark text."""
+
+_DEEPER = 125
+"""Fusion paints buttons lighter than their colour; white text needs the accent itself at least."""
+
+
+class CompactButton(QPushButton):
+    """A push button no wider than its text, which can be the one thing to do next."""
+
+    def __init__(self, text: str, name: str, tip: str, parent: QWidget | None = None) -> None:
+        super().__init__(text, parent)
+        self.setObjectName(name)
+        self.setToolTip(tip)
+        self._is_due = False
+        self._coloured_for = theme()
+        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
+        self.setAutoDefault(False)
+
+    def set_due(self, is_due: bool) -> None:
+        """Colour the button while it is what comes next."""
+        if is_due != self._is_due:
+            self._is_due = is_due
+            self._colour()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange and self._is_due and self._coloured_for is not theme():
+            self._colour()
+
+    def _colour(self) -> None:
+        palette = QPalette()
+        self._coloured_for = theme()
+        if self._is_due:
+            accent = look().accent
+            is_pale = accent.lightness() > _PALE
+            palette.setColor(QPalette.ColorRole.Button, accent if is_pale else accent.darker(_DEEPER))
+            palette.setColor(QPalette.ColorRole.ButtonText, _NIGHT if is_pale else _WHITE)
+        self.setPalette(palette)
+
+
+class Note(QLabel):
+    """Some lines of explanation, with links that the keyboard reaches; no room where there is nothing to say."""
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setWordWrap(True)
+        self.setTextFormat(Qt.TextFormat.RichText)
+        self.setTextInteractionFlags(
+            Qt.TextInteractionFlag.LinksAccessibleByMouse | Qt.TextInteractionFlag.LinksAccessibleByKeyboard
+        )
+        self.setVisible(False)
+
+    def say(self, html: str) -> None:
+        """Show a text; an empty one takes the note away."""
+        if html != self.text():
+            self.setText(html)
+            self.setVisible(bool(html))
+
+
+def symbol(html: str, *, quiet: bool = False, parent: QWidget | None = None) -> QLabel:
+    """Return a label that shows a symbol, for the eye only: fields carry their spoken names themselves."""
+    result = QLabel(html, parent)
+    result.setTextFormat(Qt.TextFormat.RichText)
+    if quiet:
+        result.setForegroundRole(QPalette.ColorRole.PlaceholderText)
+    return result
+
+
+def title_html(title: str, aside: str) -> str:
+    """Return a zone's title with the paper's symbol beside it."""
+    return f"<b>{title}</b>&nbsp;&nbsp;{aside}"
+
+
+MARGINS = (2 * SPACE, SPACE + 2, 2 * SPACE, SPACE + 2)

@@ -1,0 +1,1 @@
+"""The main window: what assembles it, its commands, and what outlives it."""

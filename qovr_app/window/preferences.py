@@ -1,0 +1,86 @@
+"""What the program remembers from one start to the next."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from pathlib import Path
+
+from PySide6.QtCore import QByteArray, QSettings
+
+from qovr_app.state.display import ColourBy, ColourRange, DisplaySettings
+
+_ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
+_MOST_RECENT = 9
+"""As many recent files as there are digits to choose them by."""
+
+_FORGOTTEN = ("theme", "fixed_range")
+"""Display settings that follow the system, or belong to one document, and are not remembered."""
+
+_PASSING = (ColourBy.DISTANCE, ColourBy.SENSITIVITY, ColourRange.FIXED)
+"""Choices that mean nothing at the next start, without the reference, the knot or the numbers they were made with."""
+
+
+class Preferences:
+    """The settings of this user; what was damaged or is of another version counts as never set."""
+
+    def __init__(self) -> None:
+        self._store = QSettings(_ORGANISATION, _APPLICATION)
+
+    @property
+    def folder(self) -> Path:
+        """The folder in which a file was last opened or written."""
+        remembered = Path(str(self._store.value("folder", "")))
+        return remembered if remembered.is_absolute() and remembered.is_dir() else Path.home()
+
+    @folder.setter
+    def folder(self, folder: Path) -> None:
+        self._store.setValue("folder", str(folder.absolute()))
+
+    @property
+    def recent(self) -> list[Path]:
+        """The files opened or saved last, the latest first."""
+        value = self._store.value("recent", [])
+        texts = [value] if isinstance(value, str) else value or []
+        return [Path(text) for text in texts]
+
+    def add_recent(self, path: Path) -> None:
+        """Put a file first in the list of recent files."""
+        path = path.absolute()
+        others = [other for other in self.recent if other != path]
+        self._store.setValue("recent", [str(entry) for entry in [path, *others][:_MOST_RECENT]])
+
+    def clear_recent(self) -> None:
+        """Forget all recent files."""
+        self._store.setValue("recent", [])
+
+    def bytes_of(self, name: str) -> QByteArray:
+        """Return a remembered state of a window or splitter; empty where there is none."""
+        value = self._store.value(f"window/{name}")
+        return value if isinstance(value, QByteArray) else QByteArray()
+
+    def set_bytes(self, name: str, state: QByteArray) -> None:
+        """Remember a state of a window or splitter."""
+        self._store.setValue(f"window/{name}", state)
+
+    def display(self, first: DisplaySettings) -> DisplaySettings:
+        """Return ``first`` with every remembered choice in it."""
+        chosen = {}
+        for field in fields(first):
+            text = self._store.value(f"view/{field.name}")
+            if text is None or field.name in _FORGOTTEN:
+                continue
+            kind = type(getattr(first, field.name))
+            try:
+                chosen[field.name] = str(text) == "true" if kind is bool else kind(str(text))
+            except ValueError:
+                continue
+        return replace(first, **chosen)
+
+    def set_display(self, settings: DisplaySettings) -> None:
+        """Remember how the surface is shown."""
+        for field in fields(settings):
+            value = getattr(settings, field.name)
+            if field.name not in _FORGOTTEN and value not in _PASSING:
+                self._store.setValue(
+                    f"view/{field.name}", str(value).lower() if isinstance(value, bool) else str(value)
+                )

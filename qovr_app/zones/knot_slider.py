@@ -1,0 +1,82 @@
+"""A slider over the open interval of one knot, which shows where its curve stays monotone."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QRectF, Qt, Signal
+from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
+
+from qovr_app.state.gestures import next_gesture
+from qovr_app.style.colours import look
+from qovr_app.widgets.bursts import Bursts
+
+_PARTS = 1000
+"""Steps of the slider from 0 to 1; both ends are left out, as a knot lies strictly between."""
+
+_BAND = 3.0
+
+
+class KnotSlider(QSlider):
+    """Moves one knot.
+
+    Signals
+    -------
+    knot_moved : the wanted value, and the gesture to which the movement belongs
+    """
+
+    knot_moved = Signal(float, int)
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(Qt.Orientation.Horizontal, parent)
+        self.setObjectName(name)
+        self.setRange(1, _PARTS - 1)
+        self.setSingleStep(_PARTS // 100)
+        self.setPageStep(_PARTS // 10)
+        self._monotone: tuple[float, float] | None = None
+        self._gesture = 0
+        self._bursts = Bursts(self)
+        self.sliderPressed.connect(self._on_pressed)
+        self.sliderReleased.connect(self._on_released)
+        self.valueChanged.connect(self._on_value_changed)
+
+    def show_knot(self, value: float, monotone: tuple[float, float] | None) -> None:
+        """Show a knot, silently.
+
+        Parameters
+        ----------
+        monotone : between which values its curve does not fold back; None where that says nothing of this knot
+        """
+        was_blocked = self.blockSignals(True)
+        self.setValue(round(value * _PARTS))
+        self.blockSignals(was_blocked)
+        if monotone != self._monotone:
+            self._monotone = monotone
+            self.update()
+
+    def _on_pressed(self) -> None:
+        self._gesture = next_gesture()
+
+    def _on_released(self) -> None:
+        self._gesture = 0
+
+    def _on_value_changed(self, value: int) -> None:
+        self.knot_moved.emit(value / _PARTS, self._gesture or self._bursts.step())
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self._monotone is None:
+            return
+        option = QStyleOptionSlider()
+        self.initStyleOption(option)
+        control = QStyle.ComplexControl.CC_Slider
+        handle = self.style().subControlRect(control, option, QStyle.SubControl.SC_SliderHandle, self)
+        groove = self.style().subControlRect(control, option, QStyle.SubControl.SC_SliderGroove, self)
+        room = groove.width() - handle.width()
+        start = groove.left() + handle.width() / 2
+        low, high = self._monotone
+        painter = QPainter(self)
+        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setPen(Qt.PenStyle.NoPen)
+        painter.setBrush(look().quiet)
+        band = QRectF(start + low * room, self.height() - _BAND, (high - low) * room, _BAND)
+        painter.drawRoundedRect(band, _BAND / 2, _BAND / 2)

@@ -1,0 +1,183 @@
+"""The two zones of internal knots, and the slider of the field that has the keyboard."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
+
+from qovr_app.style.colours import SPACE
+from qovr_app.style.symbols import (
+    knot_letter,
+    knot_meaning,
+    spoken,
+    symbol_html,
+)
+from qovr_app.widgets.parts import Note, symbol
+from qovr_app.zones.knot_slider import KnotSlider
+from qovr_app.zones.zone import FieldZone
+from qovr_core import Document, Formulation, Knots
+from qovr_core.checks import checked_knot
+from qovr_core.document import NET_SIZE
+from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace, Place, Zone, knots_of
+from qovr_core.formulations import active_rows
+
+_STEP = 0.01
+_NAMES = {Direction.ROWS: "rsut", Direction.COLUMNS: "tusr"}
+"""The knots in the order of the paper's window: rightwards for the rows, downwards for the columns."""
+
+
+class KnotsZone(FieldZone):
+    """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward.
+
+    Signals
+    -------
+    formulation_requested : a Formulation under which every knot has an effect
+    knot_focused : the KnotPlace whose field has the keyboard now
+    """
+
+    formulation_requested = Signal(object)
+    knot_focused = Signal(object)
+    _check = staticmethod(checked_knot)
+
+    def __init__(self, direction: Direction, parent: QWidget | None = None) -> None:
+        letter, parameter = CURVE_LETTERS[direction], PARAMETERS[direction]
+        index = "i" if direction is Direction.ROWS else "j"
+        super().__init__(Zone(direction.value), f"{symbol_html(letter, index)}(<i>{parameter}</i>)", parent)
+        self._direction = direction
+        self._links = (False, False)
+        self._layout.addLayout(self._make_grid())
+        self._caption = QLabel(self)
+        self._slider = KnotSlider(f"{direction}.slider", self)
+        self._slider.knot_moved.connect(self._on_slider_moved)
+        slider_row = QHBoxLayout()
+        slider_row.setSpacing(2 * SPACE)
+        slider_row.addWidget(self._caption)
+        slider_row.addWidget(self._slider, 1)
+        self._layout.addLayout(slider_row)
+        self._layout.addLayout(self._make_buttons())
+        self._note = Note(f"{direction}.note", self)
+        self._note.linkActivated.connect(lambda name: self.formulation_requested.emit(Formulation(name)))
+        self._layout.addWidget(self._note)
+        self._layout.addStretch(1)
+        self._focused = next(iter(self.fields))
+
+    def show_documents(self, document: Document, draft: Document) -> None:
+        super().show_documents(document, draft)
+        curves = knots_of(draft, self._direction)
+        active = active_rows(document.formulation) if self._direction is Direction.ROWS else tuple(range(NET_SIZE))
+        for place, field in self.fields.items():
+            field.set_idle(place.curve not in active)
+            if place.name == "s":
+                knots = curves[place.curve]
+                field.set_warning("" if knots.is_monotone else _folding_text(self._name(place.curve), knots))
+        self._note.say("<br>".join(self._notes(curves, active)))
+        self._show_slider()
+
+    def set_links(self, *, curves: bool, directions: bool) -> None:
+        """Say which knots an edit reaches."""
+        self._links = (curves, directions)
+        self._show_slider()
+
+    def copied_block(self) -> list[list[float]]:
+        return [[self.fields[place].value for place in row] for row in self._table()]
+
+    def _table(self) -> list[list[Place]]:
+        """Return the places as they stand in the window."""
+        numbers, names = range(NET_SIZE), _NAMES[self._direction]
+        if self._direction is Direction.ROWS:
+            return [[KnotPlace(self._direction, k, name) for name in names] for k in reversed(numbers)]
+        return [[KnotPlace(self._direction, k, name) for k in numbers] for name in names]
+
+    def _places_of_block(self, rows: int, columns: int) -> list[list[Place]]:
+        table = self._table()
+        whole = (len(table), len(table[0]))
+        if (rows, columns) == whole:
+            return table
+        r, c = next((r, row.index(self._focused)) for r, row in enumerate(table) if self._focused in row)
+        part = [row[c : c + columns] for row in table[r : r + rows]]
+        if len(part) < rows or len(part[0]) < columns:
+            expected = f"the whole zone, {whole[0]} x {whole[1]}, or what fits right of and below the field"
+            raise self._no_place(rows, columns, expected)
+        return part
+
+    def _make_grid(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(SPACE)
+        grid.setVerticalSpacing(2)
+        letter = CURVE_LETTERS[self._direction]
+        for r, row in enumerate(self._table(), start=1):
+            for c, place in enumerate(row, start=1):
+                field = self._make_field(place, _STEP)
+                field.set_tip(knot_meaning(place))
+                grid.addWidget(field, r, c)
+                curve = symbol_html(letter, str(place.curve))
+                knot = symbol_html(knot_letter(place), "ip")
+                across, down = (knot, curve) if self._direction is Direction.ROWS else (curve, knot)
+                if c == 1:
+                    grid.addWidget(symbol(down, parent=self), r, 0)
+                if r == 1:
+                    grid.addWidget(symbol(across, parent=self), 0, c, Qt.AlignmentFlag.AlignRight)
+                grid.setColumnStretch(c, 1)
+        return grid
+
+    def _on_focused(self, place: Place) -> None:
+        super()._on_focused(place)
+        self._show_slider()
+        self.knot_focused.emit(place)
+
+    def _on_slider_moved(self, value: float, gesture: int) -> None:
+        self.fields[self._focused].revert()
+        self.values_edited.emit({self._focused: value}, gesture)
+
+    def _show_slider(self) -> None:
+        place = self._focused
+        curves, directions = self._links
+        letter = CURVE_LETTERS[self._direction]
+        whose = (
+            f"{symbol_html(letter, '0')}..{symbol_html(letter, '4')}" if curves else symbol_html(letter, place.curve)
+        )
+        more = " + " + ("K" if self._direction is Direction.ROWS else "C") if directions else ""
+        self._caption.setText(f"{symbol_html(knot_letter(place), 'ip')} of {whose}{more}")
+        self._slider.setAccessibleName(f"{spoken(place)}, slider")
+        monotone = None
+        if place.name == "s":
+            u = self.fields[KnotPlace(place.direction, place.curve, "u")].value
+            monotone = monotone_range(u)
+        self._slider.show_knot(self.fields[place].value, monotone)
+
+    def _name(self, curve: int) -> str:
+        return f"{CURVE_LETTERS[self._direction]}_{curve}"
+
+    def _notes(self, curves: tuple[Knots, ...], active: tuple[int, ...]) -> list[str]:
+        notes = []
+        if len(active) < NET_SIZE:
+            first, last = (symbol_html("C", str(number)) for number in (0, NET_SIZE - 2))
+            notes.append(
+                f"{first}..{last} have no effect: the <i>published</i> surface uses {symbol_html('C', '4')} alone. "
+                f'Choose <a href="{Formulation.INTERPOLATING}">interpolating</a> or '
+                f'<a href="{Formulation.DOUBLE_SUM}">double-sum</a> to use all rows.'
+            )
+        folding = [k for k, knots in enumerate(curves) if k in active and not knots.is_monotone]
+        if folding:
+            notes.append(self._folding_note([curves[k] for k in folding], folding))
+        return notes
+
+    def _folding_note(self, folding: list[Knots], numbers: list[int]) -> str:
+        letter, s = CURVE_LETTERS[self._direction], symbol_html("s", "ip")
+        shown = [symbol_html(letter, str(number)) for number in numbers]
+        names = f"{shown[0]}..{shown[-1]}" if len(shown) == NET_SIZE else ", ".join(shown)
+        verb = "folds" if len(shown) == 1 else "fold"
+        if len({knots.u for knots in folding}) > 1:
+            return f"{names} {verb} back: {s} is too far from {symbol_html(PARAMETERS[self._direction], 'ip')}."
+        low, high = monotone_range(folding[0].u)
+        return f"{names} {verb} back: {s} lies outside {low:.3g} to {high:.3g}."
+
+
+def monotone_range(u: float) -> tuple[float, float]:
+    """Return the s_ip between which the transformation s(u) of (25) is monotone, for one u_ip."""
+    return u - u * (1 - u), u + u * (1 - u)
+
+
+def _folding_text(name: str, knots: Knots) -> str:
+    low, high = monotone_range(knots.u)
+    return f"{name} folds back on the way. From {low:.6g} to {high:.6g} it does not."

@@ -1,0 +1,96 @@
+"""The zone of the control points: the net as it lies in space, every point with its three coordinates."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from qovr_app.style.colours import SPACE
+from qovr_app.style.symbols import AXES, symbol_html
+from qovr_app.widgets.parts import symbol
+from qovr_app.zones.zone import FieldZone
+from qovr_core.checks import checked_number
+from qovr_core.document import NET_SIZE
+from qovr_core.edits import CoordinatePlace, Place, Zone
+
+_STEP = 0.01
+_ROWS = range(NET_SIZE - 1, -1, -1)
+"""Rows from the top of the window down."""
+
+
+class PointsZone(FieldZone):
+    """The coordinates of the 25 control points.
+
+    Signals
+    -------
+    point_focused : i and j of the point whose field has the keyboard now
+    """
+
+    point_focused = Signal(int, int)
+    _check = staticmethod(checked_number)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(Zone.CONTROL_POINTS, symbol_html("P", "i,j"), parent)
+        self._layout.addLayout(self._make_grid())
+        self._layout.addLayout(self._make_buttons())
+        self._layout.addStretch(1)
+        self._focused = next(iter(self.fields))
+        self._marked: tuple[int, int] | None = None
+
+    def mark_point(self, index: tuple[int, int] | None) -> None:
+        """Frame the fields of the point that is selected elsewhere, or of none."""
+        self._marked = index
+        for place, field in self.fields.items():
+            field.set_marked((place.i, place.j) == index)
+
+    def copied_block(self) -> list[list[float]]:
+        return [[self.fields[place].value for place in row] for row in self._points()]
+
+    def copied_plane(self) -> list[list[float]]:
+        """Return one coordinate of all points, 5 x 5 as the net lies: that of the field that had the keyboard last."""
+        return [[self.fields[place].value for place in row] for row in self._plane()]
+
+    def _points(self) -> list[list[Place]]:
+        return [[CoordinatePlace(i, j, axis) for axis in range(3)] for i in range(NET_SIZE) for j in range(NET_SIZE)]
+
+    def _plane(self) -> list[list[Place]]:
+        return [[CoordinatePlace(i, j, self._focused.axis) for j in range(NET_SIZE)] for i in _ROWS]
+
+    def _places_of_block(self, rows: int, columns: int) -> list[list[Place]]:
+        i, j = self._focused.i, self._focused.j
+        point = [CoordinatePlace(i, j, axis) for axis in range(3)]
+        shapes = {(25, 3): self._points(), (5, 5): self._plane(), (1, 3): [point], (3, 1): [[place] for place in point]}
+        try:
+            return shapes[rows, columns]
+        except KeyError:
+            expected = "25 x 3 for all points, 5 x 5 for one coordinate of all, or three numbers for one point"
+            raise self._no_place(rows, columns, expected) from None
+
+    def _make_grid(self) -> QGridLayout:
+        grid = QGridLayout()
+        grid.setHorizontalSpacing(SPACE)
+        grid.setVerticalSpacing(1)
+        for j in range(NET_SIZE):
+            grid.addWidget(symbol(f"<i>j</i> = {j}", quiet=True, parent=self), 0, j + 2, Qt.AlignmentFlag.AlignRight)
+            grid.setColumnStretch(j + 2, 1)
+        line = 1
+        for i in _ROWS:
+            grid.addWidget(symbol(f"<i>i</i> = {i}", quiet=True, parent=self), line, 0)
+            for axis, letter in enumerate(AXES):
+                grid.addWidget(symbol(f"<i>{letter}</i>", quiet=True, parent=self), line + axis, 1)
+            for j in range(NET_SIZE):
+                for axis in range(3):
+                    place = CoordinatePlace(i, j, axis)
+                    field = self._make_field(place, _STEP)
+                    field.set_tip(
+                        f"P {i},{j}: the {AXES[axis]} coordinate of the control point in row {i}, column {j}."
+                    )
+                    grid.addWidget(field, line + axis, j + 2)
+            line += 4
+            if i:
+                grid.setRowMinimumHeight(line - 1, SPACE)
+        return grid
+
+    def _on_focused(self, place: Place) -> None:
+        super()._on_focused(place)
+        self.point_focused.emit(place.i, place.j)

@@ -1,0 +1,179 @@
+"""The zone that runs the pipeline: formulation, samples, Configure, boxes and T, and the ways out."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+
+from qovr_app.style.colours import SPACE
+from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.number_table import NumberTable
+from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
+from qovr_app.zones.samples_field import SamplesField
+from qovr_core import AlignedPatch, Document, Formulation
+
+FORMULATION_TIPS = {
+    Formulation.PUBLISHED: "What the published workbooks contain: the last row curve times the sum of the columns, "
+    "with kernels cut to four decimals.",
+    Formulation.DOUBLE_SUM: "The paper's equations as printed: the sum of the row curves times the sum of the columns.",
+    Formulation.INTERPOLATING: "What the paper claims: a surface through the inner control points, with fixed edges.",
+}
+
+
+class SurfaceZone(QFrame):
+    """Shows the configured surface's numbers, and reports what to do with it.
+
+    Signals
+    -------
+    formulation_edited : a Formulation
+    samples_edited : counts along u and v
+    configure_requested, export_requested, figure_requested : the buttons
+    refused : one sentence that says what was not done, and why
+    """
+
+    formulation_edited = Signal(object)
+    samples_edited = Signal(object)
+    configure_requested = Signal()
+    export_requested = Signal()
+    figure_requested = Signal()
+    refused = Signal(str)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName("zone.surface")
+        self.setAccessibleName("Surface")
+        self._formulation = QComboBox(self, objectName="surface.formulation")
+        self._samples = (self._samples_field("u"), self._samples_field("v"))
+        self._configure = CompactButton(
+            "Configure QOVR Surface", "surface.configure", "Compute raw surface, boxes, T and transformed surface", self
+        )
+        self._export = CompactButton("Export Data…", "surface.export", "", self)
+        self._figure = CompactButton("Save Figure…", "surface.figure", "Write what the view shows as a picture", self)
+        self._state = QLabel(self, objectName="surface.state")
+        self._boxes = NumberTable(
+            "surface.boxes",
+            "Bounding boxes of the control points and of the raw surface",
+            corner="Box",
+            rows=["x", "y", "z"],
+            columns=["P min", "P max", "raw min", "raw max"],
+            parent=self,
+        )
+        axes = ["x", "y", "z", "h"]
+        self._matrix = NumberTable(
+            "surface.matrix", "Transformation matrix T", corner="<i>T</i>", rows=axes, columns=axes, parent=self
+        )
+        self._fill_formulations()
+        self._configure.clicked.connect(self.configure_requested)
+        self._export.clicked.connect(self.export_requested)
+        self._figure.clicked.connect(self.figure_requested)
+        self._arrange()
+
+    def show_state(self, document: Document, result: AlignedPatch | None, *, is_stale: bool) -> None:
+        """Show what the document asks for, and the numbers of the surface configured last."""
+        with QSignalBlocker(self._formulation):
+            self._formulation.setCurrentIndex(self._formulation.findText(document.formulation))
+        self._formulation.setToolTip(FORMULATION_TIPS[document.formulation])
+        for field, count in zip(self._samples, document.samples, strict=True):
+            field.show_count(count)
+        self._show_result(result)
+        self._show_stale(result, is_stale)
+
+    def focus_first(self) -> None:
+        """Bring the keyboard to the first control."""
+        self._formulation.setFocus()
+
+    def drop_text(self) -> None:
+        """Drop counts that are typed and not valid."""
+        for field in self._samples:
+            field.revert()
+
+    def _show_result(self, result: AlignedPatch | None) -> None:
+        if result is None:
+            self._boxes.show_numbers(np.full((3, 4), np.nan))
+            self._matrix.show_numbers(np.full((4, 4), np.nan))
+            return
+        self._boxes.show_numbers(np.hstack([result.control_box, result.raw_box]))
+        self._matrix.show_numbers(result.matrix)
+
+    def _show_stale(self, result: AlignedPatch | None, is_stale: bool) -> None:
+        self._configure.set_due(is_stale)
+        self._export.setEnabled(not is_stale)
+        self._export.setToolTip(
+            "Configure the surface first: what was set since is not in it"
+            if is_stale
+            else "Write the configured surface as a workbook, table, arrays or mesh"
+        )
+        for table in (self._boxes, self._matrix):
+            table.set_quiet(is_stale)
+        flat = ", ".join(result.flat_axes) if result is not None else ""
+        if is_stale:
+            self._say("older than what is set", "View and numbers are of the surface configured last.")
+        elif flat:
+            self._say(f"flat along {flat}", f"The raw surface has no extent along {flat}: there T only moves it.")
+        else:
+            self._say("", "")
+
+    def _say(self, text: str, why: str) -> None:
+        self._state.setText(text)
+        self._state.setToolTip(why)
+        self._state.setAccessibleDescription(why)
+
+    def _samples_field(self, parameter: str) -> SamplesField:
+        field = SamplesField(parameter, self)
+        field.count_edited.connect(lambda _count: self.samples_edited.emit(tuple(f.count for f in self._samples)))
+        field.refused.connect(lambda reason: self.refused.emit(reason and f"{reason}."))
+        return field
+
+    def _fill_formulations(self) -> None:
+        self._formulation.setAccessibleName("Formulation")
+        for name in Formulation:
+            self._formulation.addItem(str(name), name)
+            self._formulation.setItemData(self._formulation.count() - 1, FORMULATION_TIPS[name], Qt.ToolTipRole)
+        self._formulation.currentIndexChanged.connect(
+            lambda index: self.formulation_edited.emit(Formulation(self._formulation.itemText(index)))
+        )
+
+    def _arrange(self) -> None:
+        choices = QHBoxLayout()
+        choices.setSpacing(SPACE)
+        choices.addWidget(self._formulation)
+        choices.addStretch(1)
+        choices.addWidget(symbol("Samples", parent=self))
+        choices.addWidget(self._samples[0])
+        choices.addWidget(symbol("×", parent=self))
+        choices.addWidget(self._samples[1])
+        buttons = QHBoxLayout()
+        buttons.setSpacing(SPACE)
+        buttons.addWidget(self._export)
+        buttons.addWidget(self._figure)
+        buttons.addStretch(1)
+        configure = QHBoxLayout()
+        configure.setSpacing(2 * SPACE)
+        configure.addWidget(self._configure)
+        configure.addWidget(self._state, 1)
+        layout = QVBoxLayout(self)
+        layout.setContentsMargins(*MARGINS)
+        layout.setSpacing(SPACE)
+        layout.addWidget(QLabel(title_html("Surface", f"{symbol_html('QOVR', '')}(<i>u</i>, <i>v</i>)"), self))
+        layout.addLayout(choices)
+        layout.addLayout(configure)
+        layout.addWidget(self._numbers())
+        layout.addLayout(buttons)
+        layout.addStretch(1)
+
+    def _numbers(self) -> QScrollArea:
+        """Return boxes and T, which scroll where the window is low."""
+        inside = QWidget(self)
+        tables = QVBoxLayout(inside)
+        tables.setContentsMargins(0, 0, 0, 0)
+        tables.setSpacing(SPACE)
+        tables.addWidget(self._boxes)
+        tables.addWidget(self._matrix)
+        area = QScrollArea(self)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setWidgetResizable(True)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setWidget(inside)
+        area.setMaximumHeight(inside.sizeHint().height())
+        return area

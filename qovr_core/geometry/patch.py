@@ -1,0 +1,171 @@
+"""The exact patch: one tensor-product polynomial that everything else asks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.arrays import Array, read_only
+from qovr_core.geometry import bernstein, differential, extent, grid
+from qovr_core.geometry.differential import Curvature
+
+PATCH_DEGREE = 6
+"""Degree each way in which every patch is held, whatever its true degree."""
+
+_SINGULAR = 1e-12
+"""|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
+
+
+class Edge(StrEnum):
+    """The four edges of a patch."""
+
+    U0 = "u=0"
+    U1 = "u=1"
+    V0 = "v=0"
+    V1 = "v=1"
+
+
+@dataclass(frozen=True, eq=False)
+class Patch:
+    """A polynomial patch S(u, v) over [0, 1] x [0, 1] in Bernstein form.
+
+    Parameters
+    ----------
+    coefficients : (7, 7, 3) float64, u along the first axis; kept read-only
+    degree : true degree in u and in v, each 4 or 6
+
+    Raises
+    ------
+    ValueError : the coefficients have another shape
+    """
+
+    coefficients: Array
+    degree: tuple[int, int] = (PATCH_DEGREE, PATCH_DEGREE)
+
+    def __post_init__(self) -> None:
+        coefficients = np.array(self.coefficients, dtype=np.float64)
+        if coefficients.shape != (PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3):
+            raise ValueError(f"patch coefficients have shape {coefficients.shape}; expected (7, 7, 3)")
+        object.__setattr__(self, "coefficients", read_only(coefficients))
+
+    def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the points S(u, v) on a grid.
+
+        Parameters
+        ----------
+        u : (n,) parameters along u; the patch's domain is [0, 1], beyond it the polynomial goes on
+        v : (m,) parameters along v
+
+        Returns
+        -------
+        (n, m, 3) float64, read-only, indexed [iu, iv]
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional
+        """
+        return self.derivative(u, v, 0, 0)
+
+    def points_and_box(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
+        """Return the points as ``points`` does and their box, (3, 2) with columns min and max."""
+        basis_u, basis_v = bernstein.basis(PATCH_DEGREE, u), bernstein.basis(PATCH_DEGREE, v)
+        points, box = grid.evaluate_with_box(self.coefficients, basis_u, basis_v)
+        return read_only(points), read_only(box)
+
+    def sampled_box(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the box of the points on a grid, (3, 2) with columns min and max, without keeping the points."""
+        basis_u, basis_v = bernstein.basis(PATCH_DEGREE, u), bernstein.basis(PATCH_DEGREE, v)
+        return read_only(grid.box(self.coefficients, basis_u, basis_v))
+
+    def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative of S on a grid.
+
+        Parameters
+        ----------
+        u, v : (n,) and (m,) parameters
+        order_u, order_v : order of the derivative in u and in v, each 0 to 6
+
+        Returns
+        -------
+        (n, m, 3) float64, read-only, indexed [iu, iv]
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
+        """
+        coefficients = self._differentiated(order_u, order_v)
+        basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
+        basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
+        return read_only(grid.evaluate(coefficients, basis_u, basis_v))
+
+    def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+        """Return a partial derivative of S at scattered parameters, as ``derivative`` does on a grid.
+
+        Parameters
+        ----------
+        u, v : (k,) and (k,) parameters
+        order_u, order_v : order of the derivative in u and in v, each 0 to 6
+
+        Returns
+        -------
+        (k, 3) float64, read-only
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
+        """
+        coefficients = self._differentiated(order_u, order_v)
+        basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
+        basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
+        return read_only(grid.evaluate_scattered(coefficients, basis_u, basis_v))
+
+    def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+        """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""
+        return differential.normals(self, u, v, singular=self._rounding_of_a_normal())
+
+    def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
+        """Return the curvatures on a grid, from the two fundamental forms.
+
+        Parameters
+        ----------
+        u, v : (n,) and (m,) parameters
+
+        Raises
+        ------
+        ValueError : u or v is not one-dimensional
+        """
+        return differential.surface_curvature(self, u, v, singular=self._rounding_of_a_normal())
+
+    def edge(self, edge: Edge) -> Array:
+        """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
+        c = self.coefficients
+        curves: dict[Edge, Array] = {Edge.U0: c[0], Edge.U1: c[-1], Edge.V0: c[:, 0], Edge.V1: c[:, -1]}
+        return curves[edge]
+
+    def bounding_box(self) -> Array:
+        """Return the exact box over [0, 1] x [0, 1], (3, 2) float64 with columns min and max."""
+        return read_only(extent.bounding_box(self.coefficients))
+
+    def transformed(self, matrix: npt.ArrayLike) -> Patch:
+        """Return the patch mapped by a (4, 4) affine matrix that acts on columns [x y z 1], eq. (62)."""
+        m = np.asarray(matrix, dtype=np.float64)
+        return Patch(self.coefficients @ m[:3, :3].T + m[:3, 3], self.degree)
+
+    def _differentiated(self, order_u: int, order_v: int) -> Array:
+        """Return the Bernstein coefficients of a partial derivative."""
+        if not (0 <= order_u <= PATCH_DEGREE and 0 <= order_v <= PATCH_DEGREE):
+            raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 to {PATCH_DEGREE}")
+        coefficients = self.coefficients
+        for _ in range(order_u):
+            coefficients = bernstein.derivative(coefficients, 0)
+        for _ in range(order_v):
+            coefficients = bernstein.derivative(coefficients, 1)
+        return coefficients
+
+    def _rounding_of_a_normal(self) -> float:
+        """Return the length below which S_u x S_v is no more than rounding."""
+        tangents = (np.abs(bernstein.derivative(self.coefficients, axis)).max() for axis in (0, 1))
+        return float(_SINGULAR * np.prod(list(tangents)))
