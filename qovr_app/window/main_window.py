@@ -26,7 +26,6 @@ from qovr_app.window.session import Session
 from qovr_app.window.view_commands import view_commands
 from qovr_app.window.window_commands import go_commands, help_commands, window_commands
 from qovr_core import AlignedPatch, Formulation
-from qovr_core.evaluation import default_layer
 from qovr_core.files.sources import READERS
 from qovr_core.presets import figure_cases
 
@@ -192,7 +191,7 @@ class MainWindow(QMainWindow):
 
     def _show_layer_in_place(self) -> None:
         """Show the layer that lies on the control net, unless both are shown."""
-        layer = default_layer(self._result.document)
+        layer = self._result.document.formulation.resting_layer
         if self._settings.layer not in (Layer.BOTH, layer):
             self.commands[f"layer_{layer}"].trigger()
 
