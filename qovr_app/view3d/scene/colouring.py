@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_app.state.display import ColourBy, ColourRange, DisplaySettings, Scaling
+from qovr_app.state.names import label
 from qovr_app.style.colour_maps import DIVERGING, ENTRIES, colour_table
-from qovr_app.style.symbols import CURVE_LETTERS, knot_letter
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.scene.mesh import Counts, FloatArray
 from qovr_app.view3d.scene.reflection import LARGEST_ANGLE
@@ -158,13 +158,8 @@ def _title(scene: Scene, field: Field) -> str:
         name = companions.reference_name
         return f"Distance from {name if len(name) <= _LONGEST_NAME else name[: _LONGEST_NAME - 1] + '…'}"
     if field is Field.SENSITIVITY and companions.knot is not None:
-        return f"Sensitivity |∂S/∂{_knot_name(scene)}|"
+        return f"Sensitivity |∂S/∂{label(companions.knot)}|"
     return FIELDS[field].title
-
-
-def _knot_name(scene: Scene) -> str:
-    knot = scene.companions.knot
-    return f"{knot_letter(knot)}_ip of {CURVE_LETTERS[knot.direction]}_{knot.curve}"
 
 
 def _missing(scene: Scene, field: Field) -> str:
@@ -181,5 +176,5 @@ def _remark(scene: Scene, field: Field, limits: Range) -> str:
     if np.isnan(limits[0]):
         return SINGULAR_NOTE
     if field is Field.SENSITIVITY and not scene.knot_slope.coefficients.any():
-        return f"{_knot_name(scene)} has no effect on the {scene.document.formulation} surface"
+        return f"{label(scene.companions.knot)} has no effect on the {scene.document.formulation} surface"
     return ""
