@@ -20,7 +20,12 @@ _FORGOTTEN = ("theme", "fixed_range")
 
 
 class Preferences:
-    """The settings of this user; what was damaged or is of another version counts as never set."""
+    """The settings of this user; what was damaged or is of another version counts as never set.
+
+    They are in QSettings, where each system looks for settings and users have theirs already. It writes by itself: on
+    Linux under a lock into a file beside, which then takes the old one's place, as ``isAtomicSyncRequired`` promises;
+    elsewhere into the system's own store.
+    """
 
     def __init__(self) -> None:
         self._store = QSettings(_ORGANISATION, _APPLICATION)

@@ -10,8 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_app.state.display import ColourRange, DisplaySettings, Scaling
+from qovr_app.state.names import label
 from qovr_app.style.colour_maps import DIVERGING, ENTRIES, colour_table
-from qovr_app.style.symbols import label
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.scene.mesh import Counts, FloatArray
 from qovr_app.view3d.scene.patterns import PATTERNS, Pattern
