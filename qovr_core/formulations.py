@@ -159,6 +159,6 @@ Formulation.INTERPOLATING = Formulation(
 FORMULATIONS = Formulation.table
 """All formulations, in the order in which they are offered."""
 
-for _formulation in (Formulation.PUBLISHED, Formulation.DOUBLE_SUM, Formulation.INTERPOLATING):
-    FORMULATIONS.register(_formulation)
+for _record in (Formulation.PUBLISHED, Formulation.DOUBLE_SUM, Formulation.INTERPOLATING):
+    FORMULATIONS.register(_record)
 FORMULATIONS.seal()

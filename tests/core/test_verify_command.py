@@ -89,7 +89,7 @@ def test_counterexamples_are_documents_that_fail_their_claim(tmp_path):
             r"(.+?)-(published|double-sum|interpolating)-(counterexample|example)\.qovr", name
         ).groups()
         document = read_document(tmp_path / "found/here" / name)
-        assert document.formulation == formulation
+        assert document.formulation.name == formulation
         if kind == "counterexample":
             assert not measured[claim](document).holds
 
