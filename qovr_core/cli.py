@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import logging
 import os
 import signal
 import sys
@@ -12,6 +13,7 @@ from typing import Any, NoReturn
 from qovr_core.commands import compare, export, figures, info, presets, reproduce, verify
 from qovr_core.commands.common import DONE, SOURCE_HELP, WRONG
 from qovr_core.errors import QovrError
+from qovr_core.files.atomic import LOGGER
 from qovr_core.version import VERSION
 
 _INTERRUPTED = 130
@@ -41,6 +43,8 @@ def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
     """
     _make_streams_robust()
     signal.signal(signal.SIGTERM, _interrupt)
+    notices = _Notices(logging.WARNING)
+    LOGGER.addHandler(notices)
     try:
         arguments = parser.parse_args(argv)
         command: Command = arguments.command
@@ -61,6 +65,8 @@ def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
     except OSError as error:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return _complain(f"the answer cannot be written: {error.strerror}")
+    finally:
+        LOGGER.removeHandler(notices)
 
 
 def build_parser() -> tuple[argparse.ArgumentParser, Any]:
@@ -84,7 +90,18 @@ def _make_streams_robust() -> None:
             stream.reconfigure(errors="backslashreplace")
 
 
+class _Notices(logging.Handler):
+    """Says on stderr what a user ought to know although all went well."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        _say(record.getMessage())
+
+
 def _complain(text: str) -> int:
+    _say(text)
+    return WRONG
+
+
+def _say(text: str) -> None:
     line = "".join(character if character.isprintable() else "?" for character in text)
     print(f"qovr: {line}", file=sys.stderr)
-    return WRONG

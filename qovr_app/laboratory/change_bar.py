@@ -7,13 +7,14 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
 from qovr_app.laboratory.panel import Focus
 from qovr_app.laboratory.wording import value_text
+from qovr_app.state.names import AXES, knot_letter, label
 from qovr_app.style.colours import SPACE
-from qovr_app.style.symbols import AXES, CURVE_LETTERS, knot_letter, label, symbol_html
+from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, symbol
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
-from qovr_core.edits import KnotPlace, value_at
+from qovr_core.edits import CURVE_LETTERS, KnotPlace, value_at
 from qovr_core.evaluation import default_layer
 from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount
 

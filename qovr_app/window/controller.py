@@ -8,7 +8,7 @@ from typing import TypeVar
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
-from qovr_app.style.symbols import ZONE_TITLES, edit_text
+from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_app.window.session import Session
 from qovr_core import AlignedPatch, Document, Formulation, QovrError, align_patch, edits
 from qovr_core.arrays import Array

@@ -5,8 +5,9 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
 
+from qovr_app.state.names import AXES
 from qovr_app.style.colours import SPACE
-from qovr_app.style.symbols import AXES, symbol_html
+from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import symbol
 from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number

@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from itertools import zip_longest
 from math import prod
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from qovr_core.document import Document
 from qovr_core.errors import FileError
 from qovr_core.evaluation import Surface
 from qovr_core.files import published_layout as layout
-from qovr_core.files.atomic import DRAFT_PREFIX, DRAFT_SUFFIX, replacing, unwritable
+from qovr_core.files.atomic import replacing, scratch_folder, unwritable
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
 from qovr_core.files.qovr_document import document_to_json
@@ -69,9 +68,9 @@ def write_workbook(surface: Surface, path: Path, progress: Progress) -> None:
 
     check_workbook_size(surface.document, path)
     # Rows go to disk one by one, so memory stays small: beside the target, where there must be room anyway.
-    with replacing(path) as (draft,), TemporaryDirectory(DRAFT_SUFFIX, DRAFT_PREFIX, draft.parent) as scratch:
+    with replacing(path) as (draft,), scratch_folder(draft) as scratch:
         try:
-            _write(surface, draft, Path(scratch), progress)
+            _write(surface, draft, scratch, progress)
         except XlsxWriterException as error:
             cause = error.args[0] if error.args else error
             raise unwritable(path, cause if isinstance(cause, OSError) else OSError(str(error))) from error

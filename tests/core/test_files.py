@@ -2,9 +2,6 @@
 
 import csv
 import json
-import os
-import stat
-import time
 
 import numpy as np
 import openpyxl
@@ -12,8 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 
 from qovr_core import FileError, SourceError, configure
-from qovr_core.files import FORMATS, format_for, published_layout, read_document, read_source, write_document
-from qovr_core.files.atomic import replacing
+from qovr_core.files import FORMATS, format_for, published_layout, read_source
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json, document_to_json
 from qovr_core.files.workbook_read import read_published_numbers, read_workbook
@@ -199,56 +195,6 @@ def test_progress_rises_to_the_end(suffix, tmp_path):
     FORMATS[suffix].write(configure(random_document(1, samples=(60, 60))), tmp_path / f"a{suffix}", parts.append)
     assert parts == sorted(parts)
     assert parts[-1] == 1.0
-
-
-def test_a_file_keeps_its_mode_and_its_link(tmp_path):
-    path, link = tmp_path / "a.qovr", tmp_path / "link.qovr"
-    write_document(random_document(1), path)
-    path.chmod(0o640)
-    link.symlink_to(path)
-    write_document(random_document(2), link)
-    assert link.is_symlink()
-    assert read_document(path) == random_document(2)
-    assert stat.S_IMODE(path.stat().st_mode) == 0o640
-
-
-def test_a_new_file_has_the_usual_mode(tmp_path):
-    mask = os.umask(0o027)
-    try:
-        write_document(random_document(1), tmp_path / "a.qovr")
-    finally:
-        os.umask(mask)
-    assert stat.S_IMODE((tmp_path / "a.qovr").stat().st_mode) == 0o640
-
-
-def test_of_two_files_none_appears_where_one_fails(tmp_path):
-    first, second = tmp_path / "a", tmp_path / "b"
-    first.write_text("old")
-
-    def write_one_and_fail():
-        with replacing(first, second) as (draft, _):
-            draft.write_text("new")
-            raise OSError(28, "No space left on device")
-
-    with pytest.raises(FileError, match="a: cannot be written: No space left on device"):
-        write_one_and_fail()
-    assert first.read_text() == "old"
-    assert [entry.name for entry in tmp_path.iterdir()] == ["a"]
-
-
-def test_what_a_killed_process_left_goes_with_a_later_write_to_its_folder(tmp_path):
-    two_days_ago = time.time() - 2 * 24 * 3600
-    (tmp_path / ".qovr-0123456789ab.part").write_text("half")
-    (tmp_path / ".qovr-scratch.part").mkdir()
-    (tmp_path / ".qovr-scratch.part" / "rows").write_text("half")
-    (tmp_path / ".qovr-fresh.part").write_text("another process is writing this")
-    for name in (".qovr-notes", "mine.part"):
-        (tmp_path / name).write_text("not ours")
-    for entry in tmp_path.iterdir():
-        if "fresh" not in entry.name:
-            os.utime(entry, (two_days_ago, two_days_ago))
-    write_document(random_document(1), tmp_path / "a.qovr")
-    assert {entry.name for entry in tmp_path.iterdir()} == {"a.qovr", ".qovr-fresh.part", ".qovr-notes", "mine.part"}
 
 
 @pytest.mark.parametrize("name", ["a", "a.txt", "a.XLS"])

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import tempfile
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -17,6 +15,7 @@ from qovr_app.view3d.painter.overlay import draw_overlay
 from qovr_app.view3d.scene.camera import Size, fitted
 from qovr_app.view3d.scene.picture import Picture, margins
 from qovr_core import FileError
+from qovr_core.files.atomic import replacing
 
 SUFFIXES = (".png", ".svg", ".pdf")
 
@@ -91,7 +90,9 @@ def save_figure(path: Path, panels: list[Panel], options: FigureOptions, *, refi
     """
     options.check(path)
     writer = {".png": _png, ".svg": _svg, ".pdf": _pdf}[path.suffix.lower()]
-    _write_atomically(path, writer(_laid_out(panels, options, refit=refit), options))
+    data = writer(_laid_out(panels, options, refit=refit), options)
+    with replacing(path) as (draft,):
+        draft.write_bytes(data.data())
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,26 +188,3 @@ def _buffer() -> tuple[QByteArray, QBuffer]:
     buffer = QBuffer(data)
     buffer.open(QIODevice.OpenModeFlag.WriteOnly)
     return data, buffer
-
-
-def _write_atomically(path: Path, data: QByteArray) -> None:
-    """Write beside the target and put it in place whole."""
-    beside = ""
-    try:
-        handle, beside = tempfile.mkstemp(dir=path.parent, prefix=f".{path.name}.")
-        with os.fdopen(handle, "wb") as file:
-            file.write(data.data())
-            file.flush()
-            os.fsync(file.fileno())
-        Path(beside).chmod(0o666 & ~_umask())
-        Path(beside).replace(path)
-    except OSError as error:
-        if beside:
-            Path(beside).unlink(missing_ok=True)
-        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from error
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
