@@ -25,20 +25,6 @@ class Style(StrEnum):
     POINTS = "points"
 
 
-class ColourBy(StrEnum):
-    """What the colours of the surface say: a field by its name, or a pattern that follows the camera."""
-
-    HEIGHT = Field.HEIGHT.value
-    GAUSSIAN = Field.GAUSSIAN.value
-    MEAN = Field.MEAN.value
-    LARGEST = Field.LARGEST.value
-    SMALLEST = Field.SMALLEST.value
-    DISTANCE = Field.DISTANCE.value
-    SENSITIVITY = Field.SENSITIVITY.value
-    ZEBRA = "zebra"
-    ISOPHOTES = "isophotes"
-
-
 class ColourRange(StrEnum):
     """Which values the ends of the colours stand for: all, all but a few, or two given ones."""
 
@@ -88,12 +74,15 @@ class ThemeName(StrEnum):
 @dataclass(frozen=True)
 class DisplaySettings:
     """Everything a user can choose about the picture, apart from the camera; ``replace`` makes the next
-    one."""
+    one.
+
+    ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera.
+    """
 
     layer: Layer = Layer.TRANSFORMED
     style: Style = Style.FACETS
     colour_map: ColourMap = ColourMap.JET
-    colour_by: ColourBy = ColourBy.HEIGHT
+    colour_by: str = Field.HEIGHT.name
     colour_range: ColourRange = ColourRange.AUTO
     fixed_range: tuple[float, float] = (0.0, 1.0)
     scaling: Scaling = Scaling.EACH

@@ -12,7 +12,7 @@ from PySide6.QtCore import QPoint, QSize, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.display import ColourBy, DisplaySettings, Layer, Projection
+from qovr_app.state.display import DisplaySettings, Layer, Projection
 from qovr_app.view3d.figure.figure import FigureOptions, save_figure
 from qovr_app.view3d.interaction.navigator import Navigator
 from qovr_app.view3d.interaction.probing import Place, place_under, reading_at
@@ -28,7 +28,7 @@ from qovr_app.view3d.scene.scenes import Stage
 from qovr_app.view3d.viewports import Panes
 from qovr_core import ParametricSurface
 from qovr_core.edits import KnotPlace
-from qovr_core.fields import Range
+from qovr_core.fields import FIELDS, Need, Range
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""
@@ -141,15 +141,16 @@ class View3D(QWidget):
 
     def set_reference(self, surface: ParametricSurface | None, name: str = "") -> None:
         """Take distances from a surface in the document's units, or from none; it stays what it is now."""
-        self._look_with(ColourBy.DISTANCE, reference=surface, reference_name=name)
+        self._look_with(Need.REFERENCE, reference=surface, reference_name=name)
 
     def set_focus_knot(self, knot: KnotPlace | None) -> None:
         """Show the sensitivity to a knot, or to none."""
-        self._look_with(ColourBy.SENSITIVITY, knot=knot)
+        self._look_with(Need.KNOT, knot=knot)
 
-    def _look_with(self, concerned: ColourBy, **changes: Any) -> None:
+    def _look_with(self, need: Need, **changes: Any) -> None:
         self._stage.set_companions(replace(self._stage.companions, **changes))
-        if self._settings.colour_by is concerned:
+        field = FIELDS.get(self._settings.colour_by)
+        if field is not None and field.needs is need:
             self._show()
 
     def select(self, i: int | None, j: int | None = None) -> None:

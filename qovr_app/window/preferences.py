@@ -7,7 +7,9 @@ from pathlib import Path
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from qovr_app.state.display import ColourBy, ColourRange, DisplaySettings
+from qovr_app.state.display import ColourRange, DisplaySettings
+from qovr_app.view3d.scene.patterns import colour_sources
+from qovr_core.fields import FIELDS
 
 _ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
 _MOST_RECENT = 9
@@ -15,9 +17,6 @@ _MOST_RECENT = 9
 
 _FORGOTTEN = ("theme", "fixed_range")
 """Display settings that follow the system, or belong to one document, and are not remembered."""
-
-_PASSING = (ColourBy.DISTANCE, ColourBy.SENSITIVITY, ColourRange.FIXED)
-"""Choices that mean nothing at the next start, without the reference, the knot or the numbers they were made with."""
 
 
 class Preferences:
@@ -79,13 +78,20 @@ class Preferences:
                 chosen[field.name] = str(text) == "true" if kind is bool else kind(str(text))
             except ValueError:
                 continue
+        if chosen.get("colour_by") not in colour_sources():
+            chosen.pop("colour_by", None)
         return replace(first, **chosen)
 
     def set_display(self, settings: DisplaySettings) -> None:
         """Remember how the surface is shown."""
+        coloured = FIELDS.get(settings.colour_by)
+        passing = {
+            "colour_by": coloured is not None and coloured.needs is not None,
+            "colour_range": settings.colour_range is ColourRange.FIXED,
+        }  # these mean nothing at the next start, without the reference, knot or numbers they were chosen with
         for field in fields(settings):
             value = getattr(settings, field.name)
-            if field.name not in _FORGOTTEN and value not in _PASSING:
+            if field.name not in _FORGOTTEN and not passing.get(field.name):
                 self._store.setValue(
                     f"view/{field.name}", str(value).lower() if isinstance(value, bool) else str(value)
                 )

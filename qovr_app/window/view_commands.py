@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from enum import StrEnum
 from typing import Any
 
 from qovr_app.state.display import (
-    ColourBy,
     ColourMap,
     ColourRange,
     DisplaySettings,
@@ -17,6 +15,7 @@ from qovr_app.state.display import (
     Scaling,
     Style,
 )
+from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.window.actions import Command
 
 SHOWN = {
@@ -34,7 +33,7 @@ SHOWN = {
 }
 """What can be switched off, by its field of DisplaySettings."""
 
-CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]] = {
+CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
     "layer": (
         Layer,
         "&View",
@@ -54,21 +53,7 @@ CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]]
             "points": ("&Points", None),
         },
     ),
-    "colour_by": (
-        ColourBy,
-        "&View/C&olour by",
-        {
-            "height": ("&Height", None),
-            "gaussian": ("&Gaussian curvature K", None),
-            "mean": ("&Mean curvature H", None),
-            "largest": ("&Largest principal curvature", None),
-            "smallest": ("&Smallest principal curvature", None),
-            "distance": ("&Distance from the reference", None),
-            "sensitivity": ("Sensiti&vity to the knot in focus", None),
-            "zebra": ("&Zebra stripes", None),
-            "isophotes": ("&Isophotes", None),
-        },
-    ),
+    "colour_by": (str, "&View/C&olour by", {}),
     "colour_range": (
         ColourRange,
         "&View/Colour ra&nge",
@@ -90,18 +75,10 @@ CHOICES: dict[str, tuple[type[StrEnum], str, dict[str, tuple[str, str | None]]]]
         {"parallel": ("Pa&rallel", None), "perspective": ("&Perspective", None)},
     ),
 }
+"""What one is chosen of, by its field of DisplaySettings: type, menu, and each choice's text and shortcut. What colours
+the surface is asked of its tables whenever a window is made, for there may be more in them by then."""
 
 _TIPS = {
-    "colour_by_height": "Colours say z, as in the paper's figures",
-    "colour_by_gaussian": "Colours say K = k_1 k_2: positive on domes, negative on saddles",
-    "colour_by_mean": "Colours say H = (k_1 + k_2) / 2, positive where the surface bends toward its normal S_u x S_v",
-    "colour_by_largest": "Colours say the larger principal curvature k_1",
-    "colour_by_smallest": "Colours say the smaller principal curvature k_2",
-    "colour_by_distance": "Colours say the distance to the closest point of the reference (menu Laboratory, Pin)",
-    "colour_by_sensitivity": "Colours say |dS/dknot| for the knot whose field had the keyboard last",
-    "colour_by_zebra": "What the shape as shown mirrors of a striped room; choose equal scales for the true shape",
-    "colour_by_isophotes": "Bands of equal angle between normal and line of sight, of the shape as shown; choose equal "
-    "scales for the true shape",
     "colour_range_auto": "The colours end at the smallest and largest value; about zero where zero has a meaning",
     "colour_range_robust": "The colours end where 2 % of the values lie beyond, which marks at the bar's ends show",
     "colour_range_fixed": "The colours end at two values of your own",
@@ -139,12 +116,14 @@ def view_commands(
         return lambda checked: change(replace(current(), **{field: checked}))
 
     commands, settings = [], current()
-    for field, (kind, menu, texts) in CHOICES.items():
-        for value in kind:
-            text, shortcut = texts[value]
+    sources = colour_sources()
+    tips = _TIPS | {f"colour_by_{source}": source.tip for source in sources.values()}
+    for field, (kind, menu, fixed_texts) in CHOICES.items():
+        texts = fixed_texts or {name: (source.text, None) for name, source in sources.items()}
+        for value, (text, shortcut) in texts.items():
             name, is_chosen = f"{field}_{value}", getattr(settings, field) == value
-            call = (lambda _checked: ask_range()) if value is ColourRange.FIXED else setter(field, value)
-            tip = _TIPS.get(name, "")
+            call = (lambda _checked: ask_range()) if value == ColourRange.FIXED else setter(field, kind(value))
+            tip = tips.get(name, "")
             commands.append(Command(name, text, call, menu, shortcut, group=field, checked=is_chosen, tip=tip))
     for field, text in SHOWN.items():
         shown = getattr(settings, field)

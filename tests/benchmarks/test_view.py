@@ -154,9 +154,7 @@ def coloured(bench):
 
 
 def colour_by(bench, name):
-    from qovr_app.state.display import ColourBy
-
-    bench.view.set_settings(replace(bench.view.settings, colour_by=ColourBy(name)))
+    bench.view.set_settings(replace(bench.view.settings, colour_by=name))
 
 
 @pytest.mark.parametrize("name", ["gaussian", "sensitivity", "zebra", "isophotes"])

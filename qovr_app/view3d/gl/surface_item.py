@@ -14,15 +14,15 @@ from OpenGL import GL
 from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QOpenGLContext, QVector4D
 from PySide6.QtOpenGL import QOpenGLBuffer, QOpenGLShaderProgram
 
-from qovr_app.state.display import ColourBy, Style
+from qovr_app.state.display import Style
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.view3d.gl.program import link_program
 from qovr_app.view3d.gl.texture import make_texture
 from qovr_app.view3d.scene.camera import Camera
 from qovr_app.view3d.scene.colouring import UNDEFINED, Colouring
 from qovr_app.view3d.scene.mesh import Counts, FloatArray, facet_counts, surface_vertices, triangle_indices
+from qovr_app.view3d.scene.patterns import BAND, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE, STRIPE
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.view3d.scene.reflection import BAND, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE, STRIPE
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_periods, line_width, relief
 from qovr_core.arrays import Array
 from qovr_core.geometry.patch import Patch
@@ -38,7 +38,6 @@ _STYLE_DEFINES = {
     Style.WIREFRAME: ("WIREFRAME",),
     Style.POINTS: ("POINTS",),
 }
-_PATTERN_DEFINES = {ColourBy.ZEBRA: ("ZEBRA", "NORMALS"), ColourBy.ISOPHOTES: ("ISOPHOTES", "NORMALS")}
 
 
 @dataclass(frozen=True, eq=False)
@@ -120,7 +119,9 @@ class SurfaceItem:
 
     def _program(self, picture: Picture) -> QOpenGLShaderProgram:
         settings = picture.settings
-        defines = {*_STYLE_DEFINES[settings.style], *_PATTERN_DEFINES.get(settings.colour_by, ())}
+        defines = set(_STYLE_DEFINES[settings.style])
+        if picture.colouring.pattern is not None:
+            defines |= {picture.colouring.pattern.define, "NORMALS"}
         if picture.has_facets:
             defines |= {"FACETS", "CELLS"}
         if line_opacity(settings) > 0:

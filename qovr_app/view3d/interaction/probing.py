@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
 
-from qovr_app.state.display import ColourBy
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.mesh import surface_vertices
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array, read_only
-from qovr_core.fields import Field, field_values
+from qovr_core.fields import FIELDS, Field, Need, field_values
 
 _CELLS = 48
 """Cells a side of the mesh on which the search starts."""
@@ -28,6 +28,8 @@ _ROUNDING = 1e-15
 
 _MET = 1e-11
 """Unit lengths between surface and line of sight that are rounding: they meet."""
+
+_CURVATURES = (Field.GAUSSIAN, Field.MEAN, Field.LARGEST, Field.SMALLEST)
 
 Place = tuple[float, float]
 """u and v."""
@@ -95,39 +97,44 @@ class Reading:
     ----------
     u, v : its parameters
     point, normal : (3,) and (3,), the normal of length 1 along S_u x S_v
-    gaussian, mean, largest, smallest : the curvatures; NaN where there are none
-    distance : from the reference; None where there is none
-    sensitivity : to the knot that was turned to; None where there is none, or colours say something else
+    curvatures : the fields that are always read; NaN where there are no curvatures
+    others : the fields that need something that is there, and what colours say
     """
 
     u: float
     v: float
     point: Array
     normal: Array
-    gaussian: float
-    mean: float
-    largest: float
-    smallest: float
-    distance: float | None
-    sensitivity: float | None
+    curvatures: dict[Field, float]
+    others: dict[Field, float]
 
 
-def reading_at(scene: Scene, place: Place, by: ColourBy) -> Reading:
-    """Return everything that is so at a place of a scene's surface; the sensitivity where colours say it."""
-    (u, v), companions = place, scene.companions
-    curvature = scene.surface.curvature([u], [v])
+def reading_at(scene: Scene, place: Place, by: str) -> Reading:
+    """Return everything that is so at a place of a scene's surface.
 
-    def value(field: Field, companion: object) -> float:
-        return float(field_values(field, scene.surface, [u], [v], companion)[0, 0])
+    Parameters
+    ----------
+    by : the name of what the colours say: a field that needs a knot is as costly as its colours, and read only then
+    """
+    u, v = place
 
-    reference = companions.reference
-    has_slope = companions.knot is not None and by is ColourBy.SENSITIVITY
+    def values(fields: Iterable[Field]) -> dict[Field, float]:
+        found = {field: field_values(field, scene.surface, [u], [v], scene.beside(field.needs)) for field in fields}
+        return {field: float(value[0, 0]) for field, value in found.items()}
+
     return Reading(
         u,
         v,
         point=read_only(scene.surface.points([u], [v])[0, 0]),
         normal=read_only(scene.surface.normals([u], [v])[0, 0]),
-        **{name: float(getattr(curvature, name)[0, 0]) for name in ("gaussian", "mean", "largest", "smallest")},
-        distance=None if reference is None else value(Field.DISTANCE, reference),
-        sensitivity=value(Field.SENSITIVITY, scene.knot_slope) if has_slope else None,
+        curvatures=values(_CURVATURES),
+        others=values(field for field in FIELDS.values() if _is_read(scene, field, by)),
     )
+
+
+def _is_read(scene: Scene, field: Field, by: str) -> bool:
+    """Return whether a field is read besides coordinates and curvatures."""
+    if field.axis is not None or field in _CURVATURES:
+        return False
+    is_wanted = field.needs is Need.REFERENCE or field.name == by
+    return is_wanted and (field.needs is None or scene.beside(field.needs) is not None)

@@ -10,7 +10,6 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
-from qovr_app.state.display import ColourBy
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.painter.canvas import blank_image, painting
@@ -18,7 +17,6 @@ from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_s
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.view3d.scene.reflection import BAND, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE
 from qovr_app.view3d.scene.ticks import tick_positions, tick_texts
 from qovr_core.arrays import Array
 
@@ -38,7 +36,6 @@ _PLAIN_POWERS = range(-1, 4)
 """Powers of ten of numbers that are written in full; what is smaller or larger has its power over the bar."""
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
-_STRIPES = 7
 
 
 def bar_rect(size: Size) -> QRectF:
@@ -59,7 +56,7 @@ class _Bar:
 def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
     """Draw the bar with its ticks and title; the picture has a scene. Where nothing has a value there is no bar."""
     colouring = picture.colouring
-    if math.isnan(colouring.limits[0]) and colouring.by is not ColourBy.ZEBRA:
+    if math.isnan(colouring.limits[0]) and colouring.pattern is None:
         return
     bar = _Bar(colouring, picture.theme, size)
     if isinstance(painter.device(), QImage):
@@ -87,7 +84,7 @@ def _draw(painter: QPainter, bar: _Bar) -> None:
     painter.setBrush(Qt.BrushStyle.NoBrush)
     painter.drawRect(rect.adjusted(-0.5, -0.5, 0.5, 0.5))
     _draw_arrows(painter, rect, bar)
-    widest = 0.0 if colouring.by is ColourBy.ZEBRA else _draw_ticks(painter, rect, bar)
+    widest = 0.0 if math.isnan(colouring.limits[0]) else _draw_ticks(painter, rect, bar)
     place = rect.right() + _TICK_GAP + widest + 4, rect.center().y()
     title = with_subscripts(colouring.title)
     draw_text(painter, title, place, (0, 0.5), bar.theme.ink, pixels=NORMAL, upright=True)
@@ -96,11 +93,9 @@ def _draw(painter: QPainter, bar: _Bar) -> None:
 def _gradient(colouring: Colouring) -> QImage:
     """Return the colours as an image one pixel wide, high values on top."""
     rows = colouring.table[::-1]
-    if colouring.by is ColourBy.ZEBRA:
-        rows = np.array([DARK_STRIPE, LIGHT_STRIPE], dtype=np.uint8)[np.arange(_STRIPES) % 2]
-    elif colouring.by is ColourBy.ISOPHOTES:
-        bands = round(LARGEST_ANGLE / BAND)
-        rows = rows[np.rint(np.linspace(0, ENTRIES - 1, bands)).astype(np.intp)]
+    if colouring.pattern is not None:
+        steps = np.array(colouring.pattern.bar[::-1])
+        rows = colouring.table[np.rint(steps * (ENTRIES - 1)).astype(np.intp)]
     rows = np.repeat(rows, ENTRIES // len(rows), axis=0)  # in steps, which no smoothing of the painter washes out
     return QImage(rows.tobytes(), 1, len(rows), 3, QImage.Format.Format_RGB888).copy()
 
@@ -121,7 +116,7 @@ def _draw_arrows(painter: QPainter, rect: QRectF, bar: _Bar) -> None:
 def _draw_ticks(painter: QPainter, rect: QRectF, bar: _Bar) -> float:
     """Draw ticks with their numbers, and the power of ten they are multiples of; return the widest number."""
     theme, (low, high) = bar.theme, bar.colouring.limits
-    values, places = _ticks(rect, low, high)
+    values, places = _ticks(rect, bar.colouring)
     power = _common_power(max(abs(low), abs(high)))
     texts = tick_texts(values / 10.0**power) if high > low else [_short(low / 10.0**power)]
     for y, text in zip(places.tolist(), texts, strict=True):
@@ -135,13 +130,15 @@ def _draw_ticks(painter: QPainter, rect: QRectF, bar: _Bar) -> float:
     return max((text_size(plain(text), SMALL)[0] for text in texts), default=0.0)
 
 
-def _ticks(rect: QRectF, low: float, high: float) -> tuple[Array, Array]:
+def _ticks(rect: QRectF, colouring: Colouring) -> tuple[Array, Array]:
     """Return the values that have a tick and their places along the screen's y."""
+    low, high = colouring.limits
     if not high > low:
         return np.array([low]), np.array([rect.center().y()])
-    values = tick_positions(low, high, int(rect.height() / _TICK_ROOM))
-    if (low, high) == (0.0, LARGEST_ANGLE):
-        values = np.arange(0.0, LARGEST_ANGLE + BAND, BAND)
+    if colouring.pattern is None:
+        values = tick_positions(low, high, int(rect.height() / _TICK_ROOM))
+    else:
+        values = np.array(colouring.pattern.ticks)
     return values, rect.bottom() - (values - low) / (high - low) * rect.height()
 
 

@@ -29,14 +29,11 @@ def readout_rows(reading: Reading) -> Rows:
         ("u, v", (reading.u, reading.v)),
         ("x, y, z", tuple(reading.point.tolist())),
         ("normal", tuple(reading.normal.tolist())),
-        ("K, H", (reading.gaussian, reading.mean)),
-        ("k_1, k_2", (reading.largest, reading.smallest)),
     ]
-    if reading.distance is not None:
-        rows.append(("distance", (reading.distance,)))
-    if reading.sensitivity is not None:
-        rows.append(("|∂S/∂knot|", (reading.sensitivity,)))
-    return rows
+    of_curvature = [(field.symbol, value) for field, value in reading.curvatures.items()]
+    for (first, a), (second, b) in zip(of_curvature[::2], of_curvature[1::2], strict=True):
+        rows.append((f"{first}, {second}", (a, b)))
+    return rows + [(field.symbol, (value,)) for field, value in reading.others.items()]
 
 
 def readout_text(reading: Reading) -> str:

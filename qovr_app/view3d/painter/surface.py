@@ -7,12 +7,11 @@ import numpy.typing as npt
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
-from qovr_app.state.display import ColourBy, Style
+from qovr_app.state.display import Style
 from qovr_app.view3d.painter.canvas import blank_image, painting
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.mesh import Counts, surface_vertices
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.view3d.scene.reflection import DARK_STRIPE, LIGHT_STRIPE, isophote_parts, zebra_is_light
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_width, relief
 from qovr_core.arrays import Array
 
@@ -110,11 +109,8 @@ def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> n
     """Return the unlit colours at points (k, 3) with unit normals (k, 3) in the camera's axes and parts (k,)."""
     eye = picture.camera.eye
     toward = _unit((eye[:3] - eye[3] * points) @ picture.camera.axes.T)
-    if picture.settings.colour_by is ColourBy.ZEBRA:
-        is_light = zebra_is_light(normals, toward)[:, None]
-        return np.where(is_light, np.array(LIGHT_STRIPE, np.uint8), np.array(DARK_STRIPE, np.uint8))
-    if picture.settings.colour_by is ColourBy.ISOPHOTES:
-        parts = isophote_parts(normals, toward)
+    if picture.colouring.pattern is not None:
+        parts = picture.colouring.pattern.parts(normals, toward)
     return picture.colouring.colours(parts, picture.theme.undefined)
 
 

@@ -9,16 +9,15 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from qovr_app.state.display import ColourBy, ColourRange, DisplaySettings, Scaling
+from qovr_app.state.display import ColourRange, DisplaySettings, Scaling
 from qovr_app.state.names import label
 from qovr_app.style.colour_maps import DIVERGING, ENTRIES, colour_table
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.scene.mesh import Counts, FloatArray
-from qovr_app.view3d.scene.reflection import LARGEST_ANGLE
+from qovr_app.view3d.scene.patterns import PATTERNS, Pattern
 from qovr_app.view3d.scene.scene import Scene
-from qovr_app.view3d.scene.surface_style import PATTERNS
 from qovr_core.arrays import Array, read_only
-from qovr_core.fields import FIELDS, Field, Range, field_range, field_rounding
+from qovr_core.fields import FIELDS, Field, Need, Range, field_range, field_rounding
 
 UNDEFINED = -1e6
 """The part of the colours that a vertex without a value has: no other comes near it, and no driver tampers with it."""
@@ -29,11 +28,8 @@ _FARTHEST = 1e3
 _NO_RANGE = (np.nan, np.nan)
 _LONGEST_NAME = 24
 
-PIN_NOTE = "Pin a reference to see the distance from it: menu Laboratory, Pin as reference"
-KNOT_NOTE = "Put the keyboard into a knot's field to see what that knot moves"
 SINGULAR_NOTE = "There is no curvature: the surface is drawn together into a line or a point"
 
-_PATTERN_TITLES = {ColourBy.ZEBRA: "Zebra stripes", ColourBy.ISOPHOTES: "Normal to view, degrees"}
 _STRETCHED = " (stretched)"
 
 
@@ -43,22 +39,22 @@ class Colouring:
 
     Parameters
     ----------
-    by : what is shown
     table : (256, 3) uint8, the colours from the lower to the upper limit
     title : for the colour bar; the letters after ``_`` are a subscript
     limits : the values at the ends of the colours; NaN where nothing has a value
     beyond : whether values lie below the lower limit, and above the upper one
     note : what keeps the picture from saying more, and how to change that; else empty
     values : gives the values on a grid of so many vertices, (n, m) float64, NaN where there are none
+    pattern : what the colours show instead of values; None where they show values
     """
 
-    by: ColourBy
     table: npt.NDArray[np.uint8]
     title: str
     limits: Range = _NO_RANGE
     beyond: tuple[bool, bool] = (False, False)
     note: str = ""
     values: Callable[[Counts], Array] = lambda counts: np.full(counts, np.nan)
+    pattern: Pattern | None = None
 
     def parts(self, counts: Counts) -> FloatArray:
         """Return where in the colours the values on a grid lie: 0 and 1 are the ends, ``UNDEFINED`` is nowhere.
@@ -95,24 +91,34 @@ def colouring_of(scene: Scene, settings: DisplaySettings, counts: Counts, *, mov
     key = (settings.colour_by, settings.colour_map, settings.colour_range, settings.fixed_range, settings.scaling)
     found = scene.cache.get((key, counts, moving))
     if found is None:
-        make = _pattern if settings.colour_by in PATTERNS else _field_colouring
-        found = scene.cache[key, counts, moving] = make(scene, settings, counts, moving)
+        if settings.colour_by in PATTERNS:
+            found = _pattern_colouring(PATTERNS[settings.colour_by], settings)
+        else:
+            found = _field_colouring(scene, settings, counts, moving)
+        scene.cache[key, counts, moving] = found
     return found
 
 
-def _pattern(scene: Scene, settings: DisplaySettings, counts: Counts, moving: bool) -> Colouring:  # noqa: ARG001
-    by = settings.colour_by
-    title = _PATTERN_TITLES[by] + (_STRETCHED if settings.scaling is Scaling.EACH else "")
-    limits = (0.0, LARGEST_ANGLE) if by is ColourBy.ISOPHOTES else _NO_RANGE
-    return Colouring(by, colour_table(settings.colour_map), title, limits)
+def _pattern_colouring(pattern: Pattern, settings: DisplaySettings) -> Colouring:
+    title = pattern.title + (_STRETCHED if settings.scaling is Scaling.EACH else "")
+    limits = (pattern.ticks[0], pattern.ticks[-1]) if pattern.ticks else _NO_RANGE
+    table = _steps(pattern.colours) if pattern.colours else colour_table(settings.colour_map)
+    return Colouring(table, title, limits, pattern=pattern)
+
+
+@lru_cache(maxsize=8)
+def _steps(colours: tuple[Rgb, ...]) -> npt.NDArray[np.uint8]:
+    """Return a table of few colours, (256, 3) uint8."""
+    steps = np.linspace(0, len(colours), ENTRIES, endpoint=False).astype(np.intp)
+    return read_only(np.array(colours, dtype=np.uint8)[steps])
 
 
 def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, moving: bool) -> Colouring:
-    by, field = settings.colour_by, Field(settings.colour_by.value)
+    field = FIELDS[settings.colour_by]
     title, note = _title(scene, field), _missing(scene, field)
-    colour_map = DIVERGING if FIELDS[field].is_diverging else settings.colour_map
+    colour_map = DIVERGING if field.is_diverging else settings.colour_map
     if note:
-        return Colouring(by, colour_table(colour_map), title, note=note)
+        return Colouring(colour_table(colour_map), title, note=note)
 
     def values(counts: Counts) -> Array:
         return scene.values(field, counts, moving=moving)
@@ -120,14 +126,14 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, mo
     seen = np.stack([each.values(field, counts, moving=moving) for each in (scene, *scene.peers)])
     limits, beyond = _limits(scene, settings, field, seen)
     table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
-    return Colouring(by, table, title, limits, beyond, _remark(scene, field, limits), values)
+    return Colouring(table, title, limits, beyond, _remark(scene, field, limits), values)
 
 
 def _limits(scene: Scene, settings: DisplaySettings, field: Field, values: Array) -> tuple[Range, tuple[bool, bool]]:
     """Return the limits, and whether values lie below or above them."""
-    least = field_rounding(field, scene.surface_box.T)
-    # Heights are those of the document's samples, like the boxes that are printed.
-    every = np.array([each.heights for each in (scene, *scene.peers)]) if field is Field.HEIGHT else values
+    least, every = field_rounding(field, scene.surface_box.T), values
+    if field.axis is not None:  # coordinates are those of the document's samples, like the boxes that are printed
+        every = np.array([each.surface_box[field.axis] for each in (scene, *scene.peers)])
     low, high = field_range(field, every, robust=False, least=least)
     if settings.colour_range is ColourRange.AUTO or np.isnan(low):
         return (low, high), (False, False)
@@ -153,28 +159,30 @@ def _section(colour_map: str, reach: float, limits: Range) -> npt.NDArray[np.uin
 
 
 def _title(scene: Scene, field: Field) -> str:
+    name = _name_beside(scene, field.needs)
+    return field.title_beside.format(name) if name else field.title
+
+
+def _name_beside(scene: Scene, need: Need | None) -> str:
+    """Return the name of what a field with this need is given; empty where there is none."""
     companions = scene.companions
-    if field is Field.DISTANCE and companions.reference_name:
+    if need is Need.REFERENCE:
         name = companions.reference_name
-        return f"Distance from {name if len(name) <= _LONGEST_NAME else name[: _LONGEST_NAME - 1] + '…'}"
-    if field is Field.SENSITIVITY and companions.knot is not None:
-        return f"Sensitivity |∂S/∂{label(companions.knot)}|"
-    return FIELDS[field].title
+        return name if len(name) <= _LONGEST_NAME else name[: _LONGEST_NAME - 1] + "…"
+    return label(companions.knot) if need is Need.KNOT and companions.knot is not None else ""
 
 
 def _missing(scene: Scene, field: Field) -> str:
     """Return what has to be done before there is anything to show."""
-    if field is Field.DISTANCE and scene.companions.reference is None:
-        return PIN_NOTE
-    if field is Field.SENSITIVITY and scene.is_rival:
+    if field.needs is Need.KNOT and scene.is_rival:
         return f"A {scene.name} surface has no internal knots"
-    return KNOT_NOTE if field is Field.SENSITIVITY and scene.companions.knot is None else ""
+    return field.missing if field.needs is not None and scene.beside(field.needs) is None else ""
 
 
 def _remark(scene: Scene, field: Field, limits: Range) -> str:
     """Return what the values leave to be said."""
     if np.isnan(limits[0]):
         return SINGULAR_NOTE
-    if field is Field.SENSITIVITY and not scene.knot_slope.coefficients.any():
-        return f"{label(scene.companions.knot)} has no effect on the {scene.document.formulation} surface"
+    if field.needs is Need.KNOT and not scene.knot_slope.coefficients.any():
+        return f"{_name_beside(scene, field.needs)} has no effect on the {scene.document.formulation} surface"
     return ""

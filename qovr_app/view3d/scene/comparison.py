@@ -84,7 +84,6 @@ def face_rival(own: Scene, opposite: RivalSurface) -> tuple[Scene, ...]:
         lines = read_only(own.frame.to_unit(opposite.isolines()))
         return (replace(own, companions=with_rival, rival_name=rival.name, rival_lines=lines),)
     without_knot = replace(own.companions, reference=own.surface, reference_name=OWN_NAME, knot=None)
-    heights = (float(opposite.box[2, 0]), float(opposite.box[2, 1]))
     scenes = (
         replace(own, companions=with_rival, name=OWN_NAME),
         replace(
@@ -95,7 +94,6 @@ def face_rival(own: Scene, opposite: RivalSurface) -> tuple[Scene, ...]:
             patch=surface.transformed(own.frame.matrix),
             surface=surface,
             surface_box=opposite.box,
-            heights=heights,
         ),
     )
     for scene, other in zip(scenes, scenes[::-1], strict=True):

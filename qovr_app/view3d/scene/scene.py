@@ -16,15 +16,10 @@ from qovr_core.arrays import Array, read_only
 from qovr_core.edits import KnotPlace
 from qovr_core.evaluation import Layer as SurfaceLayer
 from qovr_core.evaluation import parameters
-from qovr_core.fields import Field, field_values
+from qovr_core.fields import Field, Need, field_values
 
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
-
-_FINEST = {Field.DISTANCE: (25, 101)}
-_FINEST_CURVATURE = (49, 201)
-"""Samples a side of a field while something moves and at rest. Between them values are interpolated: fields are smooth,
-and a closest point costs as much as a hundred heights."""
 
 NetIndex = tuple[int, int]
 """Row i and column j of a control point."""
@@ -72,7 +67,6 @@ class Scene:
     layer : raw or transformed
     frame : the axes' limits and the way into the unit space
     patch : the surface in the unit space
-    heights : lowest and highest z of the surface, in the document's units: the ends of the colour map
     surface : the surface in the document's units
     result : for the samples, the control points and the curves, and what its knots do
     surface_box, control_box : (3, 2) in the document's units
@@ -86,7 +80,6 @@ class Scene:
     layer: Layer
     frame: Frame
     patch: ParametricSurface
-    heights: tuple[float, float]
     surface: ParametricSurface
     result: Result
     surface_box: Array
@@ -111,16 +104,21 @@ class Scene:
 
         return knot_sensitivity(self.result, self.companions.knot, SurfaceLayer(self.layer.value))
 
-    def values(self, of: Field, counts: Counts, *, moving: bool) -> Array:
+    def beside(self, need: Need | None) -> ParametricSurface | None:
+        """Return what a field with this need must be given; None where it needs nothing, or nothing is there."""
+        if need is Need.REFERENCE:
+            return self.companions.reference
+        has_slope = need is Need.KNOT and self.companions.knot is not None and not self.is_rival
+        return self.knot_slope if has_slope else None
+
+    def values(self, field: Field, counts: Counts, *, moving: bool) -> Array:
         """Return the values of a field on a grid, (n, m) float64 in the document's units; computed once."""
-        finest = counts if of is Field.HEIGHT else (_FINEST.get(of, _FINEST_CURVATURE)[not moving],) * 2
+        finest = counts if field.finest is None else (field.finest[not moving],) * 2
         few = min(counts[0], finest[0]), min(counts[1], finest[1])
-        if (of, few) not in self.cache:
-            companion = {Field.DISTANCE: self.companions.reference}.get(of)
-            if of is Field.SENSITIVITY:
-                companion = self.knot_slope
-            self.cache[of, few] = field_values(of, self.surface, *map(parameters, few), companion)
-        return spread(self.cache[of, few], counts)
+        if (field, few) not in self.cache:
+            beside = self.beside(field.needs)
+            self.cache[field, few] = field_values(field, self.surface, *map(parameters, few), beside)
+        return spread(self.cache[field, few], counts)
 
     @cached_property
     def points(self) -> Array:
@@ -163,7 +161,6 @@ def make_scene(result: Result, layer: Layer, frame: Frame, companions: Companion
         layer=layer,
         frame=frame,
         patch=result.patch.transformed(matrix),
-        heights=(float(box[2, 0]), float(box[2, 1])),
         surface=surface,
         result=result,
         surface_box=read_only(box),

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from qovr_app.state.display import ColourBy, DisplaySettings, Style
+from qovr_app.state.display import DisplaySettings, Style
 from qovr_app.view3d.scene.mesh import Counts
-
-PATTERNS = (ColourBy.ZEBRA, ColourBy.ISOPHOTES)
-"""What is no field of the surface, but made of its normals and the camera."""
+from qovr_app.view3d.scene.patterns import PATTERNS
+from qovr_core.fields import FIELDS
 
 POINT_SIZE = 3.0
 """Logical pixels across a sample in the style of points."""
@@ -15,7 +14,7 @@ _LINE_WIDTHS = {Style.FACETS: 1.0, Style.SMOOTH: 1.0, Style.WIREFRAME: 1.1, Styl
 _LINE_OPACITIES = {Style.FACETS: 0.62, Style.SMOOTH: 0.30, Style.WIREFRAME: 1.0, Style.POINTS: 0.0}
 
 _FIELD_LINES = 0.55
-"""Over anything but height facets have lines that much paler: pale colours are to be read through them."""
+"""Over anything but coordinates facets have lines that much paler: pale colours are to be read through them."""
 
 _PATTERN_LINES = 0.4
 """Over stripes and bands, which are lines themselves, parameter lines are that much paler."""
@@ -38,15 +37,22 @@ def line_width(style: Style) -> float:
 def line_opacity(settings: DisplaySettings) -> float:
     """Return the opacity of parameter lines; 0 means none."""
     shown = settings.parameter_lines or settings.style is Style.WIREFRAME
-    paler = _PATTERN_LINES if settings.colour_by in PATTERNS else 1.0
-    if settings.style is Style.FACETS and settings.colour_by not in (ColourBy.HEIGHT, *PATTERNS):
-        paler = _FIELD_LINES
+    if settings.colour_by in PATTERNS:
+        paler = _PATTERN_LINES
+    else:
+        paler = _FIELD_LINES if settings.style is Style.FACETS and not _is_coordinate(settings) else 1.0
     return _LINE_OPACITIES[settings.style] * paler if shown else 0.0
 
 
 def relief(settings: DisplaySettings) -> float:
     """Return how much of the light is seen on the smooth surface, from 0 to 1."""
-    return 1.0 if settings.colour_by is ColourBy.HEIGHT else _FIELD_RELIEF
+    return 1.0 if _is_coordinate(settings) else _FIELD_RELIEF
+
+
+def _is_coordinate(settings: DisplaySettings) -> bool:
+    """Return whether the colours say what an axis says too, so that nobody has to read them through lines and light."""
+    field = FIELDS.get(settings.colour_by)
+    return field is not None and field.axis is not None
 
 
 def line_periods(samples: Counts) -> tuple[tuple[float, float], tuple[float, float]]:

@@ -1,31 +1,79 @@
 """Colours, reference and probe by the window's commands: what they ask, remember and say."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QDialogButtonBox, QLabel, QLineEdit, QToolBar
+from PySide6.QtWidgets import QDialogButtonBox, QLabel, QLineEdit, QMenu, QToolBar, QToolButton
 
-from qovr_app.state.display import ColourBy, ColourRange
-from qovr_app.view3d.scene.colouring import KNOT_NOTE, PIN_NOTE
+from qovr_app.state.display import ColourRange
+from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core.edits import Direction, KnotPlace
+from qovr_core.fields import FIELDS, Field
 
 
 def colouring(editor):
     return editor.window.view.picture().colouring
 
 
-@pytest.mark.parametrize("by", list(ColourBy))
+@pytest.mark.parametrize("by", list(colour_sources()))
 def test_every_command_of_colour_by_chooses_it_alone(editor, by):
     editor.trigger(f"colour_by_{by}")
-    assert editor.window.view.settings.colour_by is by
-    assert [other for other in ColourBy if editor.action(f"colour_by_{other}").isChecked()] == [by]
+    assert editor.window.view.settings.colour_by == by
+    assert [other for other in colour_sources() if editor.action(f"colour_by_{other}").isChecked()] == [by]
     assert editor.action(f"colour_by_{by}").statusTip()
+
+
+def slope_field():
+    """A field that the program does not know: how steep the surface is."""
+
+    def values(surface, u, v, _beside):
+        return np.abs(surface.normals(u, v)[..., 2])
+
+    return Field(
+        "steepness", "Part upward n_z", "n_z", "S&teepness", "Colours say the upward part of the normal", values
+    )
+
+
+def test_a_field_from_outside_is_in_menu_bar_colours_and_dialog_by_its_record(make_editor):
+    with FIELDS.register(slope_field()) as field:
+        editor = make_editor()
+        action = editor.action("colour_by_steepness")
+        assert (action.text(), action.statusTip()) == (field.text, field.tip)
+        assert [action.objectName() for action in editor.action("colour_by_height").actionGroup().actions()] == [
+            f"colour_by_{name}" for name in colour_sources()
+        ]
+        assert any(action in menu.actions() for menu in editor.window.findChildren(QMenu, "menu.view/colour by"))
+        assert any(action in button.menu().actions() for button in menus_of(editor.find("view_bar", QToolBar)))
+        editor.trigger("colour_by_steepness")
+        scene, shown = editor.window.view.picture().scene, colouring(editor)
+        assert shown.title == "Part upward n_z"
+        values = shown.values((9, 7))
+        grid = np.linspace(0, 1, 9), np.linspace(0, 1, 7)
+        assert values == pytest.approx(np.abs(scene.surface.normals(*grid)[..., 2]), abs=1e-12)
+        titles = []
+        QTimer.singleShot(0, lambda: titles.extend(closed_dialog(editor)))
+        editor.trigger("colour_range_fixed")
+        assert field.title in titles
+        editor.window.close()
+
+
+def menus_of(bar):
+    return [button for button in bar.findChildren(QToolButton) if button.menu() is not None]
+
+
+def closed_dialog(editor):
+    """Close the range dialog; return the texts it showed."""
+    dialog = editor.dialog("colour_range")
+    texts = [label.text() for label in dialog.findChildren(QLabel)]
+    dialog.reject()
+    return texts
 
 
 def test_pinning_shows_the_distance_from_what_was_pinned(editor):
     editor.trigger("colour_by_distance")
-    assert colouring(editor).note == PIN_NOTE
+    assert colouring(editor).note == Field.DISTANCE.missing
     editor.trigger("pin_reference")
     assert "Pinned the transformed surface of fig5 (published)" in editor.message()
     assert colouring(editor).limits[1] < 1e-9
@@ -40,7 +88,7 @@ def test_pinning_shows_the_distance_from_what_was_pinned(editor):
     editor.trigger("preset_fig8")
     assert colouring(editor).title == "Distance from fig5, published"
     editor.trigger("unpin_reference")
-    assert colouring(editor).note == PIN_NOTE
+    assert colouring(editor).note == Field.DISTANCE.missing
     assert "no reference" in editor.message()
 
 
@@ -57,7 +105,7 @@ def test_the_sensitivity_is_that_of_the_knot_whose_field_had_the_keyboard_last(e
     editor.field("control_points.P_0_0.x").setFocus()
     editor.trigger("colour_by_sensitivity")
     editor.window.view.set_focus_knot(None)  # however the window chose its first focus
-    assert colouring(editor).note == KNOT_NOTE
+    assert colouring(editor).note == Field.SENSITIVITY.missing
     editor.field("row_knots.C_4.s").setFocus()
     editor.settle()
     assert colouring(editor).title == "Sensitivity |∂S/∂s_ip of C_4|"
@@ -113,14 +161,14 @@ def test_the_next_window_remembers_what_can_be_shown_again(make_editor):
     first.trigger("colour_range_robust")
     first.window.close()
     second = make_editor()
-    assert second.window.view.settings.colour_by is ColourBy.GAUSSIAN
+    assert second.window.view.settings.colour_by == "gaussian"
     assert second.window.view.settings.colour_range is ColourRange.ROBUST
     assert second.action("colour_by_gaussian").isChecked()
     second.trigger("colour_by_distance")
     answer(second, [("0", "1")], QDialogButtonBox.StandardButton.Ok)
     second.window.close()
     third = make_editor()
-    assert third.window.view.settings.colour_by is ColourBy.GAUSSIAN
+    assert third.window.view.settings.colour_by == "gaussian"
     assert third.window.view.settings.colour_range is ColourRange.ROBUST
 
 

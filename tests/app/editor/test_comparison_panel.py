@@ -7,7 +7,6 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QTableWidget
 
 from qovr_app.laboratory.comparison_panel import ComparisonPanel
-from qovr_app.state.display import ColourBy
 from qovr_core import Formulation
 from qovr_core.laboratory.comparison import Contender, compare
 from qovr_core.laboratory.comparison_report import NAMES, ROWS
@@ -130,12 +129,12 @@ def test_the_distance_map_colours_both_and_gives_the_colours_back(editor):
     editor.choose("laboratory.comparison.placement", "beside QOVR")
     switch = editor.find("laboratory.comparison.distance_map", QAbstractButton)
     switch.click()
-    assert view.settings.colour_by is ColourBy.DISTANCE
+    assert view.settings.colour_by == "distance"
     pictures = [view.picture(k) for k in (0, 1)]
     assert [each.colouring.title for each in pictures] == ["Distance from B-spline", "Distance from QOVR"]
     assert pictures[0].colouring.limits == pictures[1].colouring.limits
     switch.click()
-    assert view.settings.colour_by is ColourBy.MEAN
+    assert view.settings.colour_by == "mean"
     editor.trigger("colour_by_distance")
     assert switch.isChecked()
     editor.trigger("colour_by_gaussian")
@@ -145,13 +144,13 @@ def test_the_distance_map_colours_both_and_gives_the_colours_back(editor):
 @pytest.mark.parametrize("leave", ["nowhere", "close"])
 def test_the_distance_map_ends_with_the_comparison(editor, leave):
     editor.find("laboratory.comparison.distance_map", QAbstractButton).click()
-    assert editor.window.view.settings.colour_by is ColourBy.DISTANCE
+    assert editor.window.view.settings.colour_by == "distance"
     if leave == "close":
         editor.click("laboratory.close")
     else:
         editor.choose("laboratory.comparison.placement", "not in the view")
         assert not editor.find("laboratory.comparison.distance_map").isEnabled()
-    assert editor.window.view.settings.colour_by is ColourBy.HEIGHT
+    assert editor.window.view.settings.colour_by == "height"
 
 
 def test_the_numbers_can_be_copied_whole_and_in_part(editor):

@@ -5,18 +5,18 @@ import math
 import numpy as np
 import pytest
 
-from qovr_app.state.display import ColourBy, ColourRange, DisplaySettings, Layer, Scaling
+from qovr_app.state.display import ColourRange, DisplaySettings, Layer, Scaling
 from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.style.theme import theme_of
 from qovr_app.view3d.painter.canvas import blank_image, painting
 from qovr_app.view3d.scene import scene as scenes
-from qovr_app.view3d.scene.colouring import KNOT_NOTE, PIN_NOTE, SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
+from qovr_app.view3d.scene.colouring import SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
 from qovr_app.view3d.scene.mesh import spread
-from qovr_app.view3d.scene.reflection import isophote_parts, zebra_is_light
+from qovr_app.view3d.scene.patterns import isophote_parts, zebra_is_light
 from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import Document, align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
-from qovr_core.fields import Field, field_values
+from qovr_core.fields import FIELDS, Field, field_values
 from qovr_core.presets import preset
 
 COUNTS = (21, 17)
@@ -49,19 +49,19 @@ def test_values_are_those_of_the_surface_in_the_documents_units(layer, scaling):
     for field in (Field.HEIGHT, Field.GAUSSIAN, Field.MEAN, Field.LARGEST, Field.SMALLEST):
         expected = field_values(field, surface, u, v)
         assert scene.values(field, COUNTS, moving=False) == pytest.approx(expected, rel=1e-12)
-        shown, (low, high) = colouring(scene, ColourBy(field.value)), colouring(scene, ColourBy(field.value)).limits
+        shown, (low, high) = colouring(scene, field.name), colouring(scene, field.name).limits
         assert shown.parts(COUNTS) == pytest.approx((expected - low) / (high - low), abs=1e-6)
 
 
 def test_heights_end_at_the_samples_of_the_document():
-    assert colouring(scene_of(preset("fig5").document), ColourBy.HEIGHT).limits == pytest.approx((0.88, 1.2))
+    assert colouring(scene_of(preset("fig5").document), "height").limits == pytest.approx((0.88, 1.2))
 
 
 def test_diverging_limits_are_symmetric_and_zero_has_the_middle_colour():
-    shown = colouring(scene_of(FIG8), ColourBy.MEAN)
+    shown = colouring(scene_of(FIG8), "mean")
     assert shown.limits[0] == -shown.limits[1]
     assert tuple(shown.colours(np.array([0.5]), (0, 0, 0))[0]) == MIDDLE
-    fixed = colouring(scene_of(FIG8), ColourBy.MEAN, colour_range=ColourRange.FIXED, fixed_range=(-1.0, 3.0))
+    fixed = colouring(scene_of(FIG8), "mean", colour_range=ColourRange.FIXED, fixed_range=(-1.0, 3.0))
     assert fixed.limits == (-1, 3)
     assert np.abs(fixed.table[64].astype(int) - MIDDLE).max() <= 4  # zero lies a quarter of the way up
     assert fixed.table[255] == pytest.approx(colour_table(DIVERGING)[255], abs=1)
@@ -70,28 +70,28 @@ def test_diverging_limits_are_symmetric_and_zero_has_the_middle_colour():
 
 def test_only_values_beyond_the_ends_are_told():
     scene = scene_of(FIG8)
-    assert colouring(scene, ColourBy.GAUSSIAN).beyond == (False, False)
-    assert colouring(scene, ColourBy.HEIGHT, colour_range=ColourRange.ROBUST).beyond == (True, True)
-    low, high = scene.heights
+    assert colouring(scene, "gaussian").beyond == (False, False)
+    assert colouring(scene, "height", colour_range=ColourRange.ROBUST).beyond == (True, True)
+    low, high = scene.surface_box[2]
     ranges = {(low, high - 0.1): (False, True), (low + 0.1, high): (True, False), (low - 1, high + 1): (False, False)}
     for limits, beyond in ranges.items():
-        shown = colouring(scene, ColourBy.HEIGHT, colour_range=ColourRange.FIXED, fixed_range=limits)
+        shown = colouring(scene, "height", colour_range=ColourRange.FIXED, fixed_range=limits)
         assert (shown.limits, shown.beyond) == (limits, beyond)
 
 
 def test_a_level_surface_has_one_colour_and_a_plane_no_curvature():
     scene = scene_of(net_of(lambda x, y: 0.1 + 0.2))
-    shown = colouring(scene, ColourBy.HEIGHT)
+    shown = colouring(scene, "height")
     assert shown.limits[0] == shown.limits[1] == pytest.approx(0.3)
     assert (shown.parts(COUNTS) == 0.5).all()
-    bent = colouring(scene_of(net_of(lambda x, y: 0.3 * x - 0.1 * y)), ColourBy.GAUSSIAN)
+    bent = colouring(scene_of(net_of(lambda x, y: 0.3 * x - 0.1 * y)), "gaussian")
     assert bent.limits == (0, 0)
     assert (bent.parts(COUNTS) == 0.5).all()
 
 
 def test_without_a_companion_the_picture_says_what_to_do():
     scene = scene_of(FIG8)
-    for by, note in ((ColourBy.DISTANCE, PIN_NOTE), (ColourBy.SENSITIVITY, KNOT_NOTE)):
+    for by, note in (("distance", Field.DISTANCE.missing), ("sensitivity", Field.SENSITIVITY.missing)):
         shown = colouring(scene, by)
         assert shown.note == note
         assert math.isnan(shown.limits[0])
@@ -100,26 +100,26 @@ def test_without_a_companion_the_picture_says_what_to_do():
 
 
 def test_a_surface_without_curvature_says_so():
-    shown = colouring(scene_of(Document(np.full((5, 5, 3), 2.0))), ColourBy.MEAN)
+    shown = colouring(scene_of(Document(np.full((5, 5, 3), 2.0))), "mean")
     assert shown.note == SINGULAR_NOTE
-    assert colouring(scene_of(Document(np.full((5, 5, 3), 2.0))), ColourBy.HEIGHT).note == ""
+    assert colouring(scene_of(Document(np.full((5, 5, 3), 2.0))), "height").note == ""
 
 
 def test_distance_and_sensitivity_name_what_they_belong_to():
     reference = align_patch(preset("fig5").document).patch
     knot = KnotPlace(Direction.COLUMNS, 2, "u")
     scene = scene_of(FIG8, reference=reference, reference_name="a file with a very long name.qovr", knot=knot)
-    shown = colouring(scene, ColourBy.DISTANCE)
+    shown = colouring(scene, "distance")
     assert shown.title == "Distance from a file with a very long…"
     assert shown.limits[1] > 1
-    assert colouring(scene, ColourBy.SENSITIVITY).title == "Sensitivity |∂S/∂v_ip of K_2|"
+    assert colouring(scene, "sensitivity").title == "Sensitivity |∂S/∂v_ip of K_2|"
     idle = scene_of(preset("fig5").document, knot=KnotPlace(Direction.ROWS, 1, "s"))
-    assert colouring(idle, ColourBy.SENSITIVITY).note == "s_ip of C_1 has no effect on the published surface"
+    assert colouring(idle, "sensitivity").note == "s_ip of C_1 has no effect on the published surface"
 
 
 def test_patterns_tell_whether_the_shape_is_stretched():
     titles = {
-        scaling: [colouring(scene_of(FIG8), by, scaling=scaling).title for by in (ColourBy.ZEBRA, ColourBy.ISOPHOTES)]
+        scaling: [colouring(scene_of(FIG8), by, scaling=scaling).title for by in ("zebra", "isophotes")]
         for scaling in Scaling
     }
     assert all("stretched" in title for title in titles[Scaling.EACH])
@@ -135,9 +135,9 @@ def test_nothing_is_computed_twice(monkeypatch):
 
     monkeypatch.setattr(scenes, "field_values", counted)
     scene = scene_of(FIG8)
-    first = colouring(scene, ColourBy.GAUSSIAN)
-    assert colouring(scene, ColourBy.GAUSSIAN) is first
-    colouring(scene, ColourBy.GAUSSIAN, colour_range=ColourRange.ROBUST).parts(COUNTS)
+    first = colouring(scene, "gaussian")
+    assert colouring(scene, "gaussian") is first
+    colouring(scene, "gaussian", colour_range=ColourRange.ROBUST).parts(COUNTS)
     assert calls == [Field.GAUSSIAN]
 
 
@@ -151,8 +151,8 @@ def test_in_motion_costly_fields_are_taken_from_fewer_points(monkeypatch):
     monkeypatch.setattr(scenes, "field_values", counted)
     scene = scene_of(FIG8, reference=align_patch(preset("fig8").document).patch)
     for moving in (True, False):
-        for by in (ColourBy.HEIGHT, ColourBy.MEAN, ColourBy.DISTANCE):
-            values = scene.values(Field(by.value), (201, 201), moving=moving)
+        for by in ("height", "mean", "distance"):
+            values = scene.values(FIELDS[by], (201, 201), moving=moving)
             assert values.shape == (201, 201)
     assert sizes == [(201, 201), (49, 49), (25, 25), (201, 201), (101, 101)]  # the heights of rest are those of motion
 
@@ -187,9 +187,7 @@ def test_one_value_alone_is_written_short(app, value):
     from qovr_app.view3d.painter import colour_bar as colourbar
 
     image = blank_image((120.0, 300.0), 1.0)
-    bar = colourbar._Bar(
-        Colouring(ColourBy.HEIGHT, colour_table("jet"), "z", (value, value)), theme_of("light"), (120.0, 300.0)
-    )
+    bar = colourbar._Bar(Colouring(colour_table("jet"), "z", (value, value)), theme_of("light"), (120.0, 300.0))
     with painting(image) as painter:
         assert colourbar._draw_ticks(painter, QRectF(10, 10, 14, 280), bar) < 40
 
@@ -203,6 +201,6 @@ def test_numbers_on_the_bar_leave_room_for_the_title(app, limits):
     from qovr_app.view3d.painter import colour_bar as colourbar
 
     image = blank_image((120.0, 300.0), 1.0)
-    bar = colourbar._Bar(Colouring(ColourBy.MEAN, colour_table("jet"), "z", limits), theme_of("light"), (120.0, 300.0))
+    bar = colourbar._Bar(Colouring(colour_table("jet"), "z", limits), theme_of("light"), (120.0, 300.0))
     with painting(image) as painter:
         assert 0 < colourbar._draw_ticks(painter, QRectF(10, 10, 14, 280), bar) < 40

@@ -5,16 +5,16 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_app.state.display import ColourBy, ColourMap, ColourRange, Layer, Style, ThemeName
+from qovr_app.state.display import ColourMap, ColourRange, Layer, Style, ThemeName
 from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.view3d.painter.colour_bar import bar_rect
-from qovr_app.view3d.scene.reflection import DARK_STRIPE, LIGHT_STRIPE
+from qovr_app.view3d.scene.patterns import DARK_STRIPE, LIGHT_STRIPE, colour_sources
 from qovr_core import Document, align_patch
 from qovr_core.edits import Direction, KnotPlace, set_point
-from qovr_core.fields import Field, field_values
+from qovr_core.fields import FIELDS, Field, field_values
 
 BARE = {"control_points": False, "labels": False, "control_net": False, "parameter_lines": False, "layer": Layer.RAW}
-FIELDS_BY = [ColourBy.GAUSSIAN, ColourBy.MEAN, ColourBy.LARGEST, ColourBy.SMALLEST, ColourBy.DISTANCE]
+FIELDS_BY = ["gaussian", "mean", "largest", "smallest", "distance"]
 
 
 @pytest.fixture(params=["opengl", "painter"])
@@ -50,20 +50,20 @@ def test_every_point_has_the_colour_of_its_value(
     view.set_reference(reference, "the same, edited")
     make_view.settle(view)
     image, (low, high) = view.image(), view.picture().colouring.limits
-    diverging = by is not ColourBy.DISTANCE
+    diverging = by != "distance"
     assert (low == -high) == diverging
     table = colour_table(DIVERGING if diverging else ColourMap.JET).astype(int)
     surface, cell = align_patch(document).patch, np.linspace(-1 / 30, 1 / 30, 3)
     for u in np.linspace(0.13, 0.87, 5):
         for v in np.linspace(0.11, 0.89, 5):
-            around = field_values(Field(by.value), surface, u + cell, v + cell, reference)
+            around = field_values(FIELDS[by], surface, u + cell, v + cell, reference)
             parts = (np.linspace(around.min(), around.max(), 60) - low) / (high - low)
             near = table[np.clip(parts * 256, 0, 255).astype(int)]
             colour = seen(view, image, expected_pixel, colour_at, u, v)
             assert np.abs(near - colour).max(axis=1).min() <= 16, (u, v, colour)
 
 
-@pytest.mark.parametrize("by", [ColourBy.MEAN, ColourBy.SENSITIVITY])
+@pytest.mark.parametrize("by", ["mean", "sensitivity"])
 def test_facets_and_points_and_the_smooth_surface_agree(make_view, document, by, expected_pixel, colour_at):
     """Facets have their first corner's colour, so that the smooth surface is looked at there."""
     view = from_above(make_view, document, colour_by=by)
@@ -82,7 +82,7 @@ def test_facets_and_points_and_the_smooth_surface_agree(make_view, document, by,
 
 
 def test_the_ends_of_the_bar_and_its_middle(make_view, document, renderer, colour_at):
-    view = make_view(document, colour_by=ColourBy.GAUSSIAN).view
+    view = make_view(document, colour_by="gaussian").view
     rect, image = bar_rect(view.viewports[0].logical_size), view.image()
     table = colour_table(DIVERGING).astype(int)
     for y, entry in ((rect.bottom() - 2, 0), (rect.center().y(), 128), (rect.top() + 2, 255)):
@@ -90,7 +90,7 @@ def test_the_ends_of_the_bar_and_its_middle(make_view, document, renderer, colou
 
 
 def test_arrows_tell_that_values_lie_beyond(make_view, document, renderer, colour_at):
-    view = make_view(document, colour_by=ColourBy.HEIGHT).view
+    view = make_view(document, colour_by="height").view
     rect = bar_rect(view.viewports[0].logical_size)
     low, high = view.picture().colouring.limits
     ground = view.picture().theme.background
@@ -110,13 +110,13 @@ def test_what_is_undefined_is_grey(make_view, renderer, expected_pixel, colour_a
     """A fan whose edge u = 0 is one point has no curvature there; without a reference nothing has a distance."""
     y, x = np.mgrid[:5, :5].astype(float)
     fan = np.stack([x - 1, (x - 1) * (y - 2), 0.1 * (x - 1) ** 2 * y], axis=-1)
-    view = from_above(make_view, Document(fan, formulation="interpolating", samples=(31, 31)), colour_by=ColourBy.MEAN)
+    view = from_above(make_view, Document(fan, formulation="interpolating", samples=(31, 31)), colour_by="mean")
     grey = view.picture().theme.undefined
     assert np.isnan(view.picture().scene.values(Field.MEAN, (31, 31), moving=False)[0]).all()
     assert np.isfinite(view.picture().scene.values(Field.MEAN, (31, 31), moving=False)[1:]).all()
     image = view.image()
     assert np.ptp(seen(view, image, expected_pixel, colour_at, 0.9, 0.2)) > 5
-    view.set_settings(replace(view.settings, colour_by=ColourBy.DISTANCE))
+    view.set_settings(replace(view.settings, colour_by="distance"))
     make_view.settle(view)
     image = view.image()
     for u in (0.3, 0.9):
@@ -132,7 +132,7 @@ def is_light(colour):
 def test_zebra_stripes_lie_where_reflection_says_and_move_with_the_camera(
     make_view, document, renderer, expected_pixel, colour_at
 ):
-    view = make_view(document, **BARE, colour_by=ColourBy.ZEBRA, size=(900, 800)).view
+    view = make_view(document, **BARE, colour_by="zebra", size=(900, 800)).view
     pictures = []
     for azimuth in (-54.0, -40.0):
         view._on_camera_requested(replace(view.camera, azimuth=azimuth))
@@ -156,7 +156,7 @@ def test_zebra_stripes_lie_where_reflection_says_and_move_with_the_camera(
 
 
 def test_isophotes_are_bands_of_equal_angle(make_view, document, renderer, expected_pixel, colour_at):
-    view = from_above(make_view, document, colour_by=ColourBy.ISOPHOTES, colour_map=ColourMap.VIRIDIS)
+    view = from_above(make_view, document, colour_by="isophotes", colour_map=ColourMap.VIRIDIS)
     image, patch, table = view.image(), view.picture().scene.patch, colour_table(ColourMap.VIRIDIS).astype(int)
     checked = 0
     for u in np.linspace(0.1, 0.9, 12):
@@ -171,7 +171,7 @@ def test_isophotes_are_bands_of_equal_angle(make_view, document, renderer, expec
 
 
 @pytest.mark.parametrize("style", list(Style))
-@pytest.mark.parametrize("by", list(ColourBy))
+@pytest.mark.parametrize("by", list(colour_sources()))
 def test_every_style_shows_every_field_and_pattern(make_view, document, renderer, style, by, reference):
     view = make_view(document, layer=Layer.RAW, style=style, colour_by=by, theme=ThemeName.DARK).view
     view.set_reference(reference)
@@ -191,7 +191,7 @@ def test_switching_what_colours_redraws_within_two_frames(make_view, document, s
     owner = make_view(document, **BARE)
     frames = []
     owner.view.frame_painted.connect(lambda: frames.append(owner.view.picture().settings.colour_by))
-    for by in (ColourBy.GAUSSIAN, ColourBy.ZEBRA, ColourBy.ISOPHOTES, ColourBy.MEAN, ColourBy.HEIGHT):
+    for by in ("gaussian", "zebra", "isophotes", "mean", "height"):
         frames.clear()
         owner.view.set_settings(replace(owner.view.settings, colour_by=by))
         spin(lambda: bool(frames))
@@ -201,7 +201,7 @@ def test_switching_what_colours_redraws_within_two_frames(make_view, document, s
 
 
 def test_a_pinned_reference_stays_what_it_was(make_view, document, reference):
-    owner = make_view(document, **BARE, colour_by=ColourBy.DISTANCE)
+    owner = make_view(document, **BARE, colour_by="distance")
     owner.view.set_reference(reference, "pinned")
     before = owner.view.picture().colouring.limits
     owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.6)))  # becomes what was pinned
@@ -215,7 +215,7 @@ def test_a_figure_holds_the_colours_and_the_bar(make_view, document, renderer, t
 
     from qovr_app.view3d.figure.figure import FigureOptions
 
-    view = make_view(document, layer=Layer.RAW, colour_by=ColourBy.MEAN).view
+    view = make_view(document, layer=Layer.RAW, colour_by="mean").view
     view.save_figure(tmp_path / "a.png", FigureOptions(view.width(), view.height(), None))
     figure, rect = QImage(str(tmp_path / "a.png")), bar_rect(view.viewports[0].logical_size)
     figure.setDevicePixelRatio(1.0)

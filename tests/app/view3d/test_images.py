@@ -37,7 +37,7 @@ def test_every_point_has_the_colour_of_its_height(make_view, document, renderer,
     owner = make_view(document, layer=Layer.RAW, colour_map=colour_map, **PLAIN)
     owner.view.set_camera("top", animated=False)
     make_view.settle(owner.view)
-    image, (low, high) = owner.view.image(), owner.view.picture().scene.heights
+    image, (low, high) = owner.view.image(), owner.view.picture().scene.surface_box[2]
     patch, cell = configure(document).patch, np.linspace(-1 / 30, 1 / 30, 3)
     for u in np.linspace(0.13, 0.87, 6):
         for v in np.linspace(0.11, 0.89, 6):

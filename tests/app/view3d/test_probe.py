@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.state.display import ColourBy, Layer, Scaling
+from qovr_app.state.display import Layer, Scaling
 from qovr_app.view3d.interaction.probing import place_under, reading_at
 from qovr_app.view3d.painter.readout import readout_rows, readout_text
 from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
@@ -17,6 +17,7 @@ from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.evaluation import Layer as SurfaceLayer
+from qovr_core.fields import Field
 from qovr_core.laboratory.sensitivity import knot_sensitivity
 from qovr_core.presets import preset
 
@@ -105,25 +106,28 @@ def test_a_reading_is_in_the_documents_units():
     result = align_patch(FIG8)
     surface = result.transformed_patch
     scene = scene_of(FIG8, Layer.TRANSFORMED, Companions(other.patch, "fig5", knot))
-    assert reading_at(scene, (0.3, 0.8), ColourBy.HEIGHT).sensitivity is None
-    reading = reading_at(scene, (0.3, 0.8), ColourBy.SENSITIVITY)
+    assert Field.SENSITIVITY not in reading_at(scene, (0.3, 0.8), "height").others
+    reading = reading_at(scene, (0.3, 0.8), "sensitivity")
     assert reading.point == pytest.approx(surface.points([0.3], [0.8])[0, 0], abs=1e-12)
     assert reading.normal == pytest.approx(surface.normals([0.3], [0.8])[0, 0], abs=1e-12)
-    k1, k2 = reading.largest, reading.smallest
-    assert (reading.gaussian, reading.mean) == pytest.approx((k1 * k2, (k1 + k2) / 2))
+    gaussian, mean, k1, k2 = reading.curvatures.values()
+    assert (gaussian, mean) == pytest.approx((k1 * k2, (k1 + k2) / 2))
+    assert k1 > k2
     dense = other.patch.points(np.linspace(0, 1, 301), np.linspace(0, 1, 301))
-    assert reading.distance == pytest.approx(np.linalg.norm(dense - reading.point, axis=-1).min(), rel=1e-3)
+    assert reading.others[Field.DISTANCE] == pytest.approx(
+        np.linalg.norm(dense - reading.point, axis=-1).min(), rel=1e-3
+    )
     slope = knot_sensitivity(result, knot, SurfaceLayer.TRANSFORMED).points([0.3], [0.8])[0, 0]
-    assert reading.sensitivity == pytest.approx(np.linalg.norm(slope))
+    assert reading.others[Field.SENSITIVITY] == pytest.approx(np.linalg.norm(slope))
 
 
 def test_a_reading_says_only_what_there_is():
-    reading = reading_at(scene_of(FIG8), (0.25, 0.5), ColourBy.HEIGHT)
+    reading = reading_at(scene_of(FIG8), (0.25, 0.5), "height")
     assert [name for name, _ in readout_rows(reading)] == ["u, v", "x, y, z", "normal", "K, H", "k_1, k_2"]
     lines = readout_text(reading).splitlines()
     assert lines[0] == "u, v\t0.25\t0.5"
     assert [float(number) for number in lines[1].split("\t")[1:]] == reading.point.tolist()
-    with_distance = replace(reading, distance=0.125)
+    with_distance = replace(reading, others={Field.DISTANCE: 0.125})
     assert readout_text(with_distance).splitlines()[-1] == "distance\t0.125"
 
 

@@ -9,10 +9,11 @@ from PySide6.QtGui import QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.state.display import ColourBy, Layer, Placement, Style
+from qovr_app.state.display import Layer, Placement, Style
 from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_app.view3d.scene.comparison import Rival
 from qovr_core.edits import set_point
+from qovr_core.fields import Field
 from qovr_core.geometry.closest import closest_points
 from qovr_core.laboratory.splines import b_spline, bezier
 
@@ -60,7 +61,7 @@ def test_the_limits_hold_what_reaches_beyond_the_net(owner, document):
     assert view.picture().scene.frame.limits[0, 1] < 12
 
 
-@pytest.mark.parametrize("by", [ColourBy.HEIGHT, ColourBy.MEAN, ColourBy.DISTANCE])
+@pytest.mark.parametrize("by", ["height", "mean", "distance"])
 def test_a_colour_means_the_same_in_both(make_view, document, by):
     view = make_view(document, layer=Layer.RAW, size=(900, 480), style=Style.SMOOTH, colour_by=by).view
     view.set_rival(rival(Placement.BESIDE))
@@ -68,12 +69,12 @@ def test_a_colour_means_the_same_in_both(make_view, document, by):
     assert pictures[0].colouring.limits == pictures[1].colouring.limits
     values = np.concatenate([each.colouring.values(each.counts).ravel() for each in pictures])
     reach = np.abs(values).max()
-    expected = (-reach, reach) if by is ColourBy.MEAN else (values.min(), values.max())
+    expected = (-reach, reach) if by == "mean" else (values.min(), values.max())
     assert pictures[0].colouring.limits == pytest.approx(expected, abs=1e-3)
 
 
 def test_distances_are_those_of_each_from_the_other(make_view, document):
-    view = make_view(document, layer=Layer.RAW, style=Style.SMOOTH, colour_by=ColourBy.DISTANCE).view
+    view = make_view(document, layer=Layer.RAW, style=Style.SMOOTH, colour_by="distance").view
     view.set_rival(rival(Placement.BESIDE))
     own, other = (view.picture(k) for k in (0, 1))
     assert own.colouring.title == "Distance from B-spline"
@@ -81,11 +82,11 @@ def test_distances_are_those_of_each_from_the_other(make_view, document):
     t = np.linspace(0, 1, 5)
     for one, two in ((own.scene, other.scene), (other.scene, own.scene)):
         expected = closest_points(two.surface, one.surface.points(t, t).reshape(-1, 3)).distance
-        np.testing.assert_allclose(one.values(ColourBy.DISTANCE, (5, 5), moving=False).ravel(), expected, atol=1e-12)
+        np.testing.assert_allclose(one.values(Field.DISTANCE, (5, 5), moving=False).ravel(), expected, atol=1e-12)
 
 
 def test_it_has_no_knots_to_be_sensitive_to(make_view, document):
-    view = make_view(document, layer=Layer.RAW, colour_by=ColourBy.SENSITIVITY).view
+    view = make_view(document, layer=Layer.RAW, colour_by="sensitivity").view
     view.set_rival(rival(Placement.BESIDE))
     assert view.picture(1).colouring.note == "A B-spline surface has no internal knots"
 

@@ -200,7 +200,7 @@ def test_a_scene_needs_no_samples():
 
     result = WithoutSamples(configure(replace(preset("fig5").document, samples=(11, 7))))
     scene = make_scene(result, Layer.RAW, scene_frame(result, Layer.RAW, Scaling.EACH))
-    assert scene.heights == pytest.approx((0.88, 1.2))
+    assert scene.surface_box[2] == pytest.approx((0.88, 1.2))
 
 
 def test_settings_and_probe_load_no_drawing_library():
