@@ -113,3 +113,14 @@ def names_of(module, table, report):
     from importlib import import_module
 
     return list(getattr(import_module(module), table))
+
+
+def heights_upside_down(surface, u, v, beside):
+    return -np.asarray(surface.points(u, v))[..., 2]
+
+
+def values_of(document, field, report):
+    from qovr_core import configure
+
+    axis = np.linspace(0, 1, 5)
+    return field.values(configure(document).transformed_patch, axis, axis, None)

@@ -7,6 +7,7 @@ import subprocess
 import sys
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,7 @@ from PySide6.QtCore import QThread
 from qovr_app.work.failures import WorkError
 from qovr_app.work.worker import Worker
 from qovr_core import DocumentError, configure
+from qovr_core.fields import FIELDS, Field
 from support import jobs
 from support.documents import random_document
 
@@ -306,7 +308,27 @@ def test_many_jobs_cancelled_at_random_leave_the_worker_whole(worker, answer, sp
     assert len(children()) == 1
 
 
-# What no other process can know
+# What the other process does not know by itself
+
+
+def test_records_from_outside_travel_with_each_job(answer):
+    outside = replace(Field.HEIGHT, name="outside", values=jobs.heights_upside_down)
+    with FIELDS.register(outside):
+        assert answer(jobs.names_of, "qovr_core.fields", "FIELDS").result[-1] == "outside"
+        document = random_document(1)
+        assert np.array_equal(
+            answer(jobs.values_of, document, outside).result, -answer(jobs.values_of, document, Field.HEIGHT).result
+        )
+        assert len(children()) == 1
+    assert answer(jobs.names_of, "qovr_core.fields", "FIELDS").result == list(FIELDS)
+
+
+def test_a_record_that_cannot_travel_keeps_the_job_here(answer):
+    with FIELDS.register(replace(Field.HEIGHT, name="local", values=lambda *_: None)):
+        assert answer(jobs.names_of, "qovr_core.fields", "FIELDS").result[-1] == "local"
+        assert children() == []
+    answer(jobs.add, 1, 2)
+    assert len(children()) == 1
 
 
 def test_what_is_defined_locally_runs_in_a_thread(worker, spin):
