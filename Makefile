@@ -19,8 +19,9 @@ headless:
 	xvfb-run -a -s "-screen 0 1920x1200x24" $(QOVR) screenshot build/window.png paper:fig5
 	@echo "build/fig5.xlsx is the paper's data, build/figures holds its figures, build/window.png is the editor."
 
+# One worker a core, each with its own virtual screen.
 test: setup
-	@$(PY) -m pytest
+	@$(PY) -m pytest --numprocesses auto --dist worksteal
 
 bench: setup
 	@$(PY) -m pytest --benchmark-quiet tests/benchmarks

@@ -9,9 +9,13 @@ import sys
 from collections.abc import Callable, Iterator
 
 import pytest
+from hypothesis import settings
 
 SCREEN = "2600x1600x24"
 _XVFB_SECONDS = 20
+
+settings.register_profile("tests", deadline=None)  # how long an example takes depends on who else runs
+settings.load_profile("tests")
 
 
 def _needs_display() -> bool:
@@ -22,7 +26,7 @@ def _needs_display() -> bool:
 
 @pytest.fixture(scope="session")
 def display() -> Iterator[None]:
-    """A display: the one there is, or a virtual one for this session."""
+    """A display: the one there is, or a virtual one for this session; every worker of a parallel run is a session."""
     if not _needs_display():
         yield
         return

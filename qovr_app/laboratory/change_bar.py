@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 from qovr_app.laboratory.panel import Focus
 from qovr_app.laboratory.wording import value_text
 from qovr_app.state.names import AXES, knot_letter, label
-from qovr_app.style.colours import SPACE
+from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, symbol

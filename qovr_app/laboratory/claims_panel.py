@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, Q
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
 from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import LaboratoryPanel
-from qovr_app.style.colours import SPACE
+from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton

@@ -15,7 +15,9 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from qovr_app.style.colours import SPACE, look, small_number_font
+from qovr_app.style.fonts import small_number_font
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import Claim, Finding, Verdict
 from qovr_core.laboratory.verify import CLAIMS
@@ -168,19 +170,19 @@ class _TwoLines(QStyledItemDelegate):
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
         painter.save()
         if option.state & QStyle.StateFlag.State_Selected:
-            painter.fillRect(option.rect, look().accent_cell)
+            painter.fillRect(option.rect, QColor(*theme_in_force().accent_cell))
             if option.widget.hasFocus():
-                painter.setPen(look().accent)
+                painter.setPen(QColor(*theme_in_force().accent))
                 painter.drawRect(option.rect.adjusted(0, 0, -1, -1))
         area = option.rect.adjusted(2 * SPACE, SPACE, -SPACE, -SPACE)
         half = area.height() // _LINES
         if index.data(_IS_OLD):
             painter.setOpacity(_OLD_OPACITY)
         finding = index.data(_FINDING)
-        ink = look().ink if finding is None else _ink(finding.verdict)
+        ink = QColor(*theme_in_force().ink) if finding is None else _ink(finding.verdict)
         self._write(painter, QRect(area.topLeft(), QSize(area.width(), half)), self._strong, ink, index.data(_FIRST))
         below = QRect(area.left(), area.top() + half, area.width(), area.height() - half)
-        self._write(painter, below, self._small, look().quiet, index.data(_SECOND))
+        self._write(painter, below, self._small, QColor(*theme_in_force().idle_ink), index.data(_SECOND))
         painter.restore()
 
     @staticmethod
@@ -192,4 +194,5 @@ class _TwoLines(QStyledItemDelegate):
 
 
 def _ink(verdict: Verdict) -> QColor:
-    return {Verdict.TRUE: look().ink, Verdict.TRUE_IF: look().warn, Verdict.FALSE: look().bad}[verdict]
+    theme = theme_in_force()
+    return QColor(*{Verdict.TRUE: theme.ink, Verdict.TRUE_IF: theme.warn, Verdict.FALSE: theme.bad}[verdict])

@@ -11,8 +11,9 @@ from qovr_app.laboratory.curve_transformations import TransformationsPlot
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.laboratory.plots import Captioned
 from qovr_app.state.number_texts import number_text
-from qovr_app.style.colours import SPACE, look
-from qovr_app.style.symbols import symbol_html
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
+from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
 from qovr_core import AlignedPatch, QovrError
@@ -215,7 +216,7 @@ class CurvePanel(LaboratoryPanel):
         if fold is None:
             return f"over <i>{self._curve.parameter}</i>"
         low, high = fold.backward
-        return f'<span style="color:{look().warn.name()}"><i>s</i> falls from {low:.3g} to {high:.3g}</span>'
+        return coloured(f"<i>s</i> falls from {low:.3g} to {high:.3g}", theme_in_force().warn)
 
     def _save_figure(self) -> None:
         if self._curve is not None:

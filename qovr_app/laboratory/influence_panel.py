@@ -15,8 +15,8 @@ from qovr_app.laboratory.heat_map import HeatMap
 from qovr_app.laboratory.influence_numbers import FactTable, copied_text, facts
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.laboratory.wording import percent_text, value_text
-from qovr_app.style.colours import SPACE
-from qovr_app.style.symbols import ZONE_TITLES
+from qovr_app.state.names import ZONE_TITLES
+from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import Theme
 from qovr_core import AlignedPatch, Document, QovrError
 from qovr_core.edits import KnotPlace, Zone

@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from qovr_app.state.names import knot_letter, knot_meaning, spoken
-from qovr_app.style.colours import SPACE
+from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import Note, symbol
 from qovr_app.zones.knot_slider import KnotSlider
