@@ -19,7 +19,7 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
 from qovr_app.widgets.splitter import LineSplitter
-from qovr_core import FORMULATIONS, AlignedPatch, Document
+from qovr_core import FORMULATIONS, Document
 from qovr_core.laboratory.claims import Finding
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import CLAIMS, verify_steps
@@ -68,10 +68,10 @@ class ClaimsPanel(LaboratoryPanel):
         """Whether every verdict shown is the document's."""
         return self._found == self._all
 
-    def show_result(self, result: AlignedPatch) -> None:
+    def show_document(self, document: Document) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
-        self._table.show_formulation(result.document.formulation)
-        document = replace(result.document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
+        self._table.show_formulation(document.formulation)
+        document = replace(document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
         if document == self._document:
             return
         self._document, self._found = document, 0
