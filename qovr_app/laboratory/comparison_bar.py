@@ -7,7 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
 from qovr_app.state.display import Placement
-from qovr_app.style.colours import SPACE
+from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, symbol

@@ -12,7 +12,7 @@ from qovr_app.laboratory.comparison_table import ComparisonTable
 from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.state.display import Placement
-from qovr_app.style.colours import SPACE
+from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.scene.comparison import Rival

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QColor, QFont, QGuiApplication, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
-from qovr_app.style.colours import SPACE, look, number_font
+from qovr_app.style.fonts import number_font
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
 from qovr_core.laboratory.comparison import Contender, Measures
 from qovr_core.laboratory.comparison_report import DESCRIPTIONS, NAMES, ROWS
 
@@ -71,10 +73,11 @@ class ComparisonTable(QTableWidget):
 
     def refresh_colours(self) -> None:
         """Take the colours of the theme in force."""
+        ink, idle_ink = QColor(*theme_in_force().ink), QColor(*theme_in_force().idle_ink)
         for row in range(len(ROWS)):
-            self.item(row, 0).setForeground(look().ink)
+            self.item(row, 0).setForeground(ink)
             for column, contender in enumerate(_CONTENDERS, start=1):
-                self.item(row, column).setForeground(look().ink if contender in self._new else look().quiet)
+                self.item(row, column).setForeground(ink if contender in self._new else idle_ink)
 
     def selected_text(self) -> str:
         """Return what is selected, tab separated."""

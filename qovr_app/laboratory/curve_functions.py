@@ -8,7 +8,8 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory.plots import Plot, coloured
+from qovr_app.laboratory.plots import Plot
+from qovr_app.style.symbols import coloured
 from qovr_app.style.theme import Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.labels import label_places

@@ -7,9 +7,8 @@ import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory.plots import Plot, coloured
-from qovr_app.style.colours import look
-from qovr_app.style.symbols import symbol_html
+from qovr_app.laboratory.plots import Plot
+from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
@@ -56,7 +55,7 @@ class GeometryPlot(Plot):
             for line, colour in zip(lines, parts, strict=True):
                 line.setPen(self.pen((*colour, alpha), width, style))
         self._line.setPen(self.pen(theme.ink, 2.4))
-        self._backward.setPen(self.pen(look().warn, 2.4))
+        self._backward.setPen(self.pen(theme.warn, 2.4))
         self._rings.setPen(self.pen(theme.ink, 1.2))
         self._rings.setBrush(None)
         self._points.setPen(self.pen(theme.background, 1))

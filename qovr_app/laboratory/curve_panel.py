@@ -11,14 +11,14 @@ from qovr_app.laboratory.curve_transformations import TransformationsPlot
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.laboratory.plots import Captioned
 from qovr_app.state.number_texts import number_text
-from qovr_app.style.colours import SPACE, look
-from qovr_app.style.symbols import symbol_html
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
+from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
 from qovr_core import AlignedPatch, QovrError
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
-from qovr_core.formulations import active_rows
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View
 
@@ -207,7 +207,7 @@ class CurvePanel(LaboratoryPanel):
         name = f"<b>{symbol_html(CURVE_LETTERS[curve.direction], str(curve.number))}</b>(<i>{curve.parameter}</i>)"
         short = f"{name}, degree {4 if curve.knots.is_quartic else 6}"
         formulation = self._result.document.formulation
-        if curve.direction is Direction.ROWS and curve.number not in active_rows(formulation):
+        if not formulation.is_active(curve.direction, curve.number):
             return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"
         return f"{short}&nbsp;&nbsp; broad: blended&nbsp;&nbsp; dashed: beyond its points", short
 
@@ -216,7 +216,7 @@ class CurvePanel(LaboratoryPanel):
         if fold is None:
             return f"over <i>{self._curve.parameter}</i>"
         low, high = fold.backward
-        return f'<span style="color:{look().warn.name()}"><i>s</i> falls from {low:.3g} to {high:.3g}</span>'
+        return coloured(f"<i>s</i> falls from {low:.3g} to {high:.3g}", theme_in_force().warn)
 
     def _save_figure(self) -> None:
         if self._curve is not None:

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.curve_functions import FunctionPlot
 from qovr_app.state.gestures import next_gesture
-from qovr_app.style.colours import look
 from qovr_app.style.theme import Theme
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 
@@ -59,13 +58,12 @@ class TransformationsPlot(FunctionPlot):
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
         self._lens.setBrush((*theme.series[2], _LENS_ALPHA))
-        warn = look().warn
-        self._fold.setBrush(warn.red(), warn.green(), warn.blue(), _FOLD_ALPHA)
+        self._fold.setBrush((*theme.warn, _FOLD_ALPHA))
         for line in self._fold.lines:
-            line.setPen(self.pen(warn, 1))
+            line.setPen(self.pen(theme.warn, 1))
         for limit in self._limits:
             limit.setPen(self.pen(theme.axis, 1))
-        self._outside.setPen(self.pen(warn, 3))
+        self._outside.setPen(self.pen(theme.warn, 3))
         for handle, colour in zip(self.handles.values(), self.series, strict=True):
             handle.setBrush(pg.mkBrush(theme.background))
             handle.setPen(self.pen(colour, 2))

@@ -12,10 +12,9 @@ from PySide6.QtGui import QAction, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QToolButton, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
-from qovr_app.style.colours import SPACE
-from qovr_app.style.theme import theme_of
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
 from qovr_app.window.actions import Command
-from qovr_app.window.application import theme
 from qovr_core import AlignedPatch
 
 _FIRST_SIZE = QSize(640, 330)
@@ -93,7 +92,7 @@ class LaboratoryPlace(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._theme = theme()
+        self._theme = theme_in_force()
         self.setObjectName("laboratory")
         self.setAccessibleName("Laboratory")
         self.setAutoFillBackground(True)
@@ -159,8 +158,8 @@ class LaboratoryPlace(QWidget):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self._theme is not theme():
-            self._theme = theme()
+        if event.type() == QEvent.Type.PaletteChange and self._theme is not theme_in_force():
+            self._theme = theme_in_force()
             self._due.start()
 
     def showEvent(self, event: QShowEvent) -> None:
@@ -173,7 +172,7 @@ class LaboratoryPlace(QWidget):
         if panel is None or not panel.isVisible():
             return
         last = self._last_told.setdefault(self.shown, {})
-        news = {"theme": theme_of(self._theme), "focus": self._focus, "result": self._result}
+        news = {"theme": self._theme, "focus": self._focus, "result": self._result}
         for subject, fact in news.items():
             if fact is not last.get(subject, _NEVER) and not (subject == "result" and fact is None):
                 last[subject] = fact

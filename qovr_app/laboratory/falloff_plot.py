@@ -8,7 +8,8 @@ from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.influence_numbers import DISTANCE
-from qovr_app.laboratory.plots import Plot, coloured
+from qovr_app.laboratory.plots import Plot
+from qovr_app.style.symbols import coloured
 from qovr_app.style.theme import Rgb, Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence

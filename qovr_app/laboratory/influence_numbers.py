@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableWidg
 
 from qovr_app.laboratory.wording import list_text, motion_text, percent_text, value_text
 from qovr_app.state.number_texts import block_text, number_text
-from qovr_app.style.colours import number_font, see_through
+from qovr_app.style.fonts import number_font
+from qovr_app.style.palette import see_through
 from qovr_core import Document
 from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, Exponential
 from qovr_core.laboratory.influence import Influence, Reach

@@ -7,9 +7,10 @@ from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QPen, QResizeEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
 
-from qovr_app.style.colours import SPACE, small_number_font
-from qovr_app.style.theme import Rgb, Theme, theme_of
-from qovr_app.window.application import theme as theme_in_force
+from qovr_app.style.fonts import small_number_font
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
+from qovr_app.style.theme import Rgb, Theme
 
 _LABEL_MARGIN = 1
 _GRID = 0.16
@@ -45,7 +46,7 @@ class Plot(pg.PlotWidget):
         self.getAxis("bottom").setStyle(tickTextHeight=12)
         self.showGrid(x=True, y=True, alpha=_GRID)
         self.scene().sigMouseMoved.connect(self._on_mouse_moved)
-        self.colours = theme_of(theme_in_force())
+        self.colours = theme_in_force()
 
     def minimumSizeHint(self) -> QSize:
         return QSize(100, 60)
@@ -141,8 +142,3 @@ class Captioned(QWidget):
             self._label.setText(text)
             if self._label.sizeHint().width() <= self.width():
                 return
-
-
-def coloured(html: str, colour: Rgb) -> str:
-    """Return rich text in a colour."""
-    return f'<span style="color:#{"".join(f"{part:02x}" for part in colour)}">{html}</span>'

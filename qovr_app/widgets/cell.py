@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from qovr_app.style.colours import look
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.theme import Rgb
 
 _RADIUS = 3.0
 _BAR = 3.0
@@ -34,21 +35,21 @@ def paint_cell(painter: QPainter, rect: QRectF, marks: Marks) -> None:
     fill, edge, bar = _colours(marks)
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     frame = rect.adjusted(0.5, 0.5, -0.5, -0.5)
-    painter.setPen(QPen(edge, 1.0))
-    painter.setBrush(fill)
+    painter.setPen(QPen(QColor(*edge), 1.0))
+    painter.setBrush(QColor(*fill))
     painter.drawRoundedRect(frame, _RADIUS, _RADIUS)
     if marks.has_focus:
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRoundedRect(frame.adjusted(1, 1, -1, -1), _RADIUS - 1, _RADIUS - 1)
     if bar is not None:
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(bar)
+        painter.setBrush(QColor(*bar))
         painter.drawRoundedRect(QRectF(1, 1, _BAR, rect.height() - 2), _BAR / 2, _BAR / 2)
 
 
-def _colours(marks: Marks) -> tuple[QColor, QColor, QColor | None]:
+def _colours(marks: Marks) -> tuple[Rgb, Rgb, Rgb | None]:
     """Return background, frame and bar."""
-    colours = look()
+    colours = theme_in_force()
     edge = colours.hover if marks.is_hovered else colours.edge
     if marks.has_focus or marks.is_marked:
         edge = colours.accent

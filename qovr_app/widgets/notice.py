@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
 
-from qovr_app.style.colours import SPACE, look
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.parts import CompactButton
 
 
@@ -38,5 +39,5 @@ class Notice(QFrame):
         self.setVisible(True)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        QPainter(self).fillRect(self.rect(), look().accent_cell)
+        QPainter(self).fillRect(self.rect(), QColor(*theme_in_force().accent_cell))
         super().paintEvent(event)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QPainter
+from PySide6.QtGui import QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QPainter
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from qovr_app.state.number_texts import fitted_text, is_block, number_text, typed_number
-from qovr_app.style.colours import look, number_font, see_through
+from qovr_app.style.fonts import number_font
+from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.bursts import Bursts
 from qovr_app.widgets.cell import Marks, paint_cell
 from qovr_core import QovrError
@@ -280,7 +281,7 @@ class NumberField(QLineEdit):
         )
 
     def _paint_text(self) -> None:
-        colours, painter = look(), QPainter(self)
+        colours, painter = theme_in_force(), QPainter(self)
         room = self.width() - 2 * _PADDING
         metrics = self.fontMetrics()
         text = self.text()
@@ -289,7 +290,7 @@ class NumberField(QLineEdit):
         elif metrics.horizontalAdvance(text) > room:
             text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
         painter.setFont(self.font())
-        painter.setPen(colours.quiet if self._is_idle and not self.is_pending else colours.ink)
+        painter.setPen(QColor(*(colours.idle_ink if self._is_idle and not self.is_pending else colours.ink)))
         painter.drawText(
             self.rect().adjusted(_PADDING, 0, -_PADDING, 0),
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,

@@ -19,7 +19,8 @@ from PySide6.QtWidgets import (
 )
 
 from qovr_app.state.number_texts import block_text, number_text
-from qovr_app.style.colours import number_font, see_through
+from qovr_app.style.fonts import number_font
+from qovr_app.style.palette import see_through
 from qovr_core.arrays import Array
 
 _MOST_DIGITS = 6

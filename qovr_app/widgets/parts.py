@@ -6,13 +6,11 @@ from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
-from qovr_app.style.colours import SPACE, look
-from qovr_app.window.application import theme
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.spacing import SPACE
 
-_WHITE = QColor(255, 255, 255)
-_NIGHT = QColor(16, 20, 28)
 _PALE = 140
-"""An accent lighter than this takes dark text."""
+"""An accent lighter than this takes dark text, and stays as it is."""
 
 _DEEPER = 125
 """Fusion paints buttons lighter than their colour; white text needs the accent itself at least."""
@@ -26,7 +24,7 @@ class CompactButton(QPushButton):
         self.setObjectName(name)
         self.setToolTip(tip)
         self._is_due = False
-        self._coloured_for = theme()
+        self._coloured_for = theme_in_force()
         self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         self.setAutoDefault(False)
 
@@ -38,17 +36,17 @@ class CompactButton(QPushButton):
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self._is_due and self._coloured_for is not theme():
+        if event.type() == QEvent.Type.PaletteChange and self._is_due and self._coloured_for is not theme_in_force():
             self._colour()
 
     def _colour(self) -> None:
         palette = QPalette()
-        self._coloured_for = theme()
+        self._coloured_for = theme_in_force()
         if self._is_due:
-            accent = look().accent
+            accent = QColor(*self._coloured_for.accent)
             is_pale = accent.lightness() > _PALE
             palette.setColor(QPalette.ColorRole.Button, accent if is_pale else accent.darker(_DEEPER))
-            palette.setColor(QPalette.ColorRole.ButtonText, _NIGHT if is_pale else _WHITE)
+            palette.setColor(QPalette.ColorRole.ButtonText, QColor(*self._coloured_for.selected_ink))
         self.setPalette(palette)
 
 

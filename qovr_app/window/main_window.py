@@ -12,8 +12,9 @@ from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 from qovr_app.dialogs.help_dialog import HelpDialog
 from qovr_app.laboratory.dock import check_shown, laboratory_commands
 from qovr_app.state.display import ColourRange, DisplaySettings, Layer
+from qovr_app.style.palette import theme_in_force
 from qovr_app.window.actions import make_actions
-from qovr_app.window.application import NAME, theme
+from qovr_app.window.application import NAME
 from qovr_app.window.colour_desk import ColourDesk
 from qovr_app.window.controller import Controller, State
 from qovr_app.window.desk import Desk
@@ -28,7 +29,6 @@ from qovr_app.window.window_commands import go_commands, help_commands, window_c
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
 from qovr_core import AlignedPatch, Formulation
-from qovr_core.evaluation import default_layer
 from qovr_core.files.sources import READERS
 from qovr_core.presets import figure_cases
 
@@ -63,7 +63,7 @@ class MainWindow(QMainWindow):
         self._worker = Worker(self)
         self._notices = Notices(self)
         self._preferences = preferences
-        self._settings = DisplaySettings(theme=theme())
+        self._settings = DisplaySettings(theme=theme_in_force().name)
         if preferences:
             self._settings = preferences.display(self._settings)
         self.workspace = Workspace(self.controller, self)
@@ -197,7 +197,7 @@ class MainWindow(QMainWindow):
 
     def _show_layer_in_place(self) -> None:
         """Show the layer that lies on the control net, unless both are shown."""
-        layer = default_layer(self._result.document)
+        layer = self._result.document.formulation.resting_layer
         if self._settings.layer not in (Layer.BOTH, layer):
             self.commands[f"layer_{layer}"].trigger()
 
@@ -214,8 +214,8 @@ class MainWindow(QMainWindow):
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         is_built = self.centralWidget() is not None
-        if event.type() == QEvent.Type.PaletteChange and is_built and self._settings.theme is not theme():
-            self._set_settings(replace(self._settings, theme=theme()))
+        if event.type() == QEvent.Type.PaletteChange and is_built and self._settings.theme is not theme_in_force().name:
+            self._set_settings(replace(self._settings, theme=theme_in_force().name))
 
     def _on_undo_text_changed(self, text: str) -> None:
         self._name("undo", "&Undo", text)

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QPalette
+from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QColor, QPalette
 from PySide6.QtWidgets import QLabel, QWidget
 
-from qovr_app.style.colours import look
+from qovr_app.style.palette import theme_in_force
 
 _REPORT_MILLISECONDS = 12_000
 """After this long a report has been read; a refusal stays until something else is said."""
@@ -38,7 +38,7 @@ class MessageLine(QLabel):
         self._is_refusal = is_refusal
         palette = QPalette()
         if is_refusal:
-            palette.setColor(QPalette.ColorRole.WindowText, look().bad)
+            palette.setColor(QPalette.ColorRole.WindowText, QColor(*theme_in_force().bad))
             self._end.stop()
         else:
             self._end.start()

@@ -53,7 +53,8 @@ def _scale(text: str) -> float:
 
 def _screenshot(arguments: argparse.Namespace) -> int:
     from qovr_app.state.display import ThemeName
-    from qovr_app.window.application import make_application, set_theme
+    from qovr_app.style.palette import set_theme
+    from qovr_app.window.application import make_application
 
     if arguments.out.suffix.lower() != ".png":
         raise QovrError(f"{arguments.out}: a screenshot is a PNG; expected a name that ends in .png")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QTimer, Signal
-from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from qovr_app.style.colours import look
+from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 
 if TYPE_CHECKING:
@@ -29,8 +29,8 @@ class StaleMark(QLabel):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(look().warn)
-        painter.setBrush(look().warn_cell)
+        painter.setPen(QColor(*theme_in_force().warn))
+        painter.setBrush(QColor(*theme_in_force().warn_cell))
         painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 4, 4)
         painter.end()
         super().paintEvent(event)

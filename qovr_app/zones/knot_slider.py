@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 
 from qovr_app.state.gestures import next_gesture
-from qovr_app.style.colours import look
+from qovr_app.style.palette import theme_in_force
 from qovr_app.widgets.bursts import Bursts
 
 _PARTS = 1000
@@ -77,6 +77,6 @@ class KnotSlider(QSlider):
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)
-        painter.setBrush(look().quiet)
+        painter.setBrush(QColor(*theme_in_force().idle_ink))
         band = QRectF(start + low * room, self.height() - _BAND, (high - low) * room, _BAND)
         painter.drawRoundedRect(band, _BAND / 2, _BAND / 2)

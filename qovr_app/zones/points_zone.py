@@ -6,7 +6,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from qovr_app.state.names import AXES
-from qovr_app.style.colours import SPACE
+from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import symbol
 from qovr_app.zones.zone import FieldZone

@@ -102,7 +102,7 @@ def _lines(picture: Picture) -> list[_Family]:
     if settings.column_curves:
         families.append(_Family(scene.column_curves, theme.column_curve, _CURVE_WIDTH))
     if len(scene.rival_lines):
-        families.append(_Family(scene.rival_lines, theme.rival, _RIVAL_WIDTH))
+        families.append(_Family(scene.rival_lines, theme.comparison, _RIVAL_WIDTH))
     return families
 
 
@@ -163,7 +163,7 @@ def _draw_legend(painter: QPainter, picture: Picture) -> None:
     theme, (x, y) = picture.theme, _LEGEND
     if picture.caption:
         x += text_size(plain(picture.caption), NORMAL)[0] + _LEGEND_GAP
-    painter.setPen(QPen(QColor(*theme.rival), 2 * _RIVAL_WIDTH))
+    painter.setPen(QPen(QColor(*theme.comparison), 2 * _RIVAL_WIDTH))
     painter.drawLine(QLineF(x, y, x + _LEGEND_LINE, y))
     text = plain(picture.scene.rival_name)
     draw_text(painter, text, (x + _LEGEND_LINE + 7, y), (0, 0.5), theme.ink, pixels=NORMAL, halo=theme.rim)

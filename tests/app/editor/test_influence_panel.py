@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QTableWidget
 
 from qovr_app.state.display import ColourMap, ThemeName
 from qovr_app.style.colour_maps import colour_table
-from qovr_app.window.application import set_theme
+from qovr_app.style.palette import set_theme
 from qovr_core import Edge, Formulation, Layer
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.laboratory.influence import KnotMove, PointMove, influence

@@ -7,8 +7,8 @@ from qovr_app.laboratory import place as place_module
 from qovr_app.laboratory.dock import PanelEntry
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.display import ThemeName
+from qovr_app.style.palette import set_theme
 from qovr_app.style.theme import theme_of
-from qovr_app.window.application import set_theme
 from qovr_app.window.preferences import Preferences
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.presets import preset

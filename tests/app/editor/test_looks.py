@@ -8,8 +8,7 @@ from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from qovr_app.state.display import ThemeName
 from qovr_app.state.number_texts import fitted_text, number_text, typed_block, typed_number
-from qovr_app.style.colours import look
-from qovr_app.window.application import set_theme, theme
+from qovr_app.style.palette import set_theme, theme_in_force
 from qovr_core import DocumentError
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 
@@ -31,12 +30,12 @@ def test_an_open_window_follows_light_and_dark(editor, themes):
     for name in (ThemeName.DARK, ThemeName.LIGHT):
         set_theme(name)
         editor.settle()
-        assert theme() is name
+        assert theme_in_force().name is name
         assert editor.window.view.settings.theme is name
-        assert cell_colour(editor, "row_knots.C_4.r") == look().accent_cell
-        assert cell_colour(editor, "row_knots.C_4.t") == look().cell
+        assert cell_colour(editor, "row_knots.C_4.r") == QColor(*theme_in_force().accent_cell)
+        assert cell_colour(editor, "row_knots.C_4.t") == QColor(*theme_in_force().cell)
         due = editor.find("row_knots.set", QAbstractButton).palette().button().color()
-        assert due in (look().accent, look().accent.darker(125))
+        assert due in (QColor(*theme_in_force().accent), QColor(*theme_in_force().accent).darker(125))
 
 
 def ink_of(widget, left, right):
@@ -54,13 +53,13 @@ def test_tables_of_numbers_follow_light_and_dark_and_dim_when_stale(editor, them
             set_theme(name)
             editor.settle()
             headers, numbers = ink_of(table, 0.0, 0.1), ink_of(table, 0.2, 1.0)
-            ink = look().ink.lightness()
+            ink = QColor(*theme_in_force().ink).lightness()
             assert abs(numbers - ink) < 30, name
             assert abs(headers - ink) < 30, name  # the corner's; those of the rows are quieter
     editor.trigger("live")
     editor.type_into("row_knots.C_4.r", "0.3")
     editor.click("row_knots.set")
-    assert abs(ink_of(editor.find("surface.matrix"), 0.2, 1.0) - look().quiet.lightness()) < 30
+    assert abs(ink_of(editor.find("surface.matrix"), 0.2, 1.0) - QColor(*theme_in_force().idle_ink).lightness()) < 30
 
 
 def test_states_look_like_what_they_are(editor):
@@ -70,12 +69,12 @@ def test_states_look_like_what_they_are(editor):
     editor.type_into("control_points.P_0_1.z", "x")
     editor.field("row_knots.C_4.r").setFocus()
     editor.settle()
-    assert cell_colour(editor, "control_points.P_0_0.z") == look().accent_cell
-    assert cell_colour(editor, "control_points.P_0_1.z") == look().bad_cell
-    assert cell_colour(editor, "control_points.P_0_2.z") == look().cell
+    assert cell_colour(editor, "control_points.P_0_0.z") == QColor(*theme_in_force().accent_cell)
+    assert cell_colour(editor, "control_points.P_0_1.z") == QColor(*theme_in_force().bad_cell)
+    assert cell_colour(editor, "control_points.P_0_2.z") == QColor(*theme_in_force().cell)
     editor.click("column_knots.set")
     editor.field("row_knots.C_4.r").setFocus()
-    assert cell_colour(editor, "column_knots.K_1.s") == look().warn_cell
+    assert cell_colour(editor, "column_knots.K_1.s") == QColor(*theme_in_force().warn_cell)
     assert editor.find("control_points.set").isEnabled()
 
 

@@ -124,7 +124,7 @@ def near(image, colour, reach=30):
 def test_over_it_is_lines_with_a_legend(owner, make_view):
     view = owner.view
     make_view.settle(view)
-    ink = view.picture().theme.rival
+    ink = view.picture().theme.comparison
     assert near(view.image(), ink) == 0
     view.set_rival(rival(Placement.OVER))
     assert len(view.viewports) == 1
