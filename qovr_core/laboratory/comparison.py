@@ -13,7 +13,7 @@ from qovr_core.checks import LARGEST_MAGNITUDE, described
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
-from qovr_core.evaluation import align_patch, default_layer
+from qovr_core.evaluation import align_patch
 from qovr_core.geometry.closest import closest_points
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.patch import Edge
@@ -127,7 +127,7 @@ class Trial:
         """
         document = self.moved_document if moved else self.document
         if contender is Contender.QOVR:
-            return align_patch(document).layer_patch(default_layer(document))
+            return align_patch(document).layer_patch(document.formulation.resting_layer)
         return rival_surface(contender, document.control_points, self.point, self.weight)
 
 

@@ -8,7 +8,6 @@ from enum import Enum
 from math import degrees, isfinite
 from typing import Any
 
-from qovr_core.evaluation import default_layer
 from qovr_core.geometry.patch import Edge
 from qovr_core.laboratory.comparison import SHARES, Comparison, Contender, Measures, Trial
 
@@ -148,11 +147,11 @@ def motion_text(trial: Trial) -> str:
 def comparison_text(comparison: Comparison) -> str:
     """Return the table for people, at most 100 columns wide."""
     trial = comparison.trial
-    document, size = trial.document, trial.document.net_size
+    formulation, size = trial.document.formulation, trial.document.net_size
     widest = max(len(row.label) for row in ROWS)
     lines = [
         motion_text(trial),
-        f"QOVR is the {document.formulation} surface, {default_layer(document)}. Lengths are in the net's units.",
+        f"QOVR is the {formulation} surface, {formulation.resting_layer}. Lengths are in the net's units.",
         "Areas move by more than 1 % and 10 % of the largest displacement; jumps are at interior joints.",
         "",
         " " * widest + "".join(f"{NAMES[contender]:>13}" for contender in comparison.measures),
@@ -178,7 +177,7 @@ def comparison_facts(comparison: Comparison) -> dict[str, Any]:
     trial = comparison.trial
     return {
         "formulation": str(trial.document.formulation),
-        "layer": str(default_layer(trial.document)),
+        "layer": str(trial.document.formulation.resting_layer),
         "point": list(trial.point),
         "weight": trial.weight,
         "net_size": trial.document.net_size,
