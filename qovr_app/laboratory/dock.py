@@ -75,7 +75,7 @@ _FIRST_NUMBER = 6
 class LaboratoryPlace(QWidget):
     """Tabs over the panel that is shown.
 
-    Hidden until a panel is asked for. Panels are told theme, focus and document, the latest, and only while they are seen.
+    Hidden until a panel is asked for. Panels are told the latest theme, focus and document, while they are seen.
 
     Signals
     -------

@@ -87,6 +87,7 @@ class Child:
             write_message(self._replies, message)
 
     def _outcome(self, run: Run) -> Done | Failed | Cancelled | Unknown:
+        os.chdir(run.folder)
         with ExitStack() as registered:
             try:
                 function, values = unpacked(run.call, registered)

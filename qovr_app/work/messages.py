@@ -15,10 +15,11 @@ _LENGTH = struct.Struct("!Q")
 
 @dataclass(frozen=True)
 class Run:
-    """Begin a job: its number, and the call as ``calls.packed`` makes it."""
+    """Begin a job: its number, the call as ``calls.packed`` makes it, and the folder in which relative paths begin."""
 
     number: int
     call: bytes
+    folder: str
 
 
 @dataclass(frozen=True)

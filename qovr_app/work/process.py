@@ -67,7 +67,7 @@ class ChildProcess:
         target : the file that it writes, if any
         """
         self._target = target
-        self._outbox.put(Run(number, call))
+        self._outbox.put(Run(number, call, str(Path.cwd())))
 
     def cancel(self, number: int) -> None:
         """Ask a job to end."""

@@ -1,6 +1,7 @@
 """Functions that the tests' jobs run: found by their names in another process as well."""
 
 import ctypes
+import logging
 import os
 import sys
 import time
@@ -103,6 +104,10 @@ def evaluated(document, report):
     from qovr_core import configure
 
     return np.asarray(configure(document).raw)
+
+
+def notice(text, report):
+    logging.getLogger("qovr_core.files").warning("%s", text)
 
 
 def size_of(values, report):

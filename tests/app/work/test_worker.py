@@ -15,6 +15,7 @@ import pytest
 from PySide6.QtCore import QThread
 
 from qovr_app.work.failures import WorkError
+from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
 from qovr_core import DocumentError, configure
 from qovr_core.fields import FIELDS, Field
@@ -155,6 +156,12 @@ def test_nothing_is_imported_from_the_folder_in_which_one_happens_to_be(worker, 
     assert heard[0][0] == "done"
 
 
+def test_relative_paths_mean_the_same_there(answer, tmp_path, monkeypatch):
+    answer(jobs.add, 1, 2)
+    monkeypatch.chdir(tmp_path)
+    assert Path(answer(jobs.environment).result["folder"]) == tmp_path
+
+
 def test_prints_do_not_get_into_the_answers(answer):
     assert answer(jobs.print_a_lot).result == "answered"
 
@@ -226,6 +233,16 @@ def test_a_process_killed_while_it_rests_is_not_missed(answer, spin):
     os.kill(pid, signal.SIGTERM)
     spin(lambda: not is_alive(pid))
     assert answer(jobs.add, 1, 2).result == 3
+
+
+def test_what_the_process_notices_of_files_is_told_here(answer, spin):
+    notices, told = Notices(), []
+    notices.noticed.connect(told.append)
+    answer(jobs.notice, "a.csv: belongs to you now")
+    spin(lambda: told)
+    notices.close()
+    answer(jobs.notice, "something else")
+    assert told == ["a.csv: belongs to you now."]
 
 
 # Cancelling
