@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from qovr_app.state.display import Layer, Scaling
+from qovr_app.state.display import Scaling
 from qovr_app.view3d.scene.frame import Frame, frame_around
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
@@ -16,7 +16,7 @@ from qovr_core.arrays import Array, read_only
 from qovr_core.edits import KnotPlace
 from qovr_core.evaluation import parameters
 from qovr_core.fields import Field, Need, field_values
-from qovr_core.layer import Layer as SurfaceLayer
+from qovr_core.layer import Layer
 
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
@@ -82,7 +82,7 @@ class Scene:
         """dS/dknot for the companions' knot, in the document's units."""
         from qovr_core.laboratory.sensitivity import knot_sensitivity
 
-        return knot_sensitivity(self.evaluation, self.companions.knot, SurfaceLayer(self.layer.value))
+        return knot_sensitivity(self.evaluation, self.companions.knot, self.layer)
 
     def beside(self, need: Need | None) -> ParametricSurface | None:
         """Return what a field with this need must be given; None where it needs nothing, or nothing is there."""
@@ -146,7 +146,7 @@ def make_scene(
         layer=layer,
         frame=frame,
         patch=evaluation.patch.transformed(matrix),
-        surface=evaluation.layer_patch(SurfaceLayer(layer.value)),
+        surface=evaluation.layer_patch(layer),
         evaluation=evaluation,
         document=document or evaluation.document,
         surface_box=read_only(box),
