@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from enum import StrEnum
 from math import hypot
 from typing import Any
 
@@ -14,18 +13,11 @@ import numpy.typing as npt
 from qovr_core.arrays import Array, read_only
 from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples, described
 from qovr_core.errors import DocumentError
+from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.knots import Knots
 
 NET_SIZE = 5
 """Rows and columns of the control net."""
-
-
-class Formulation(StrEnum):
-    """How the ten curves become one surface."""
-
-    PUBLISHED = "published"
-    DOUBLE_SUM = "double-sum"
-    INTERPOLATING = "interpolating"
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,7 +29,7 @@ class Document:
     control_points : (5, 5, 3), ``[i, j]`` is P_{i,j} in row i and column j; kept as read-only float64
     row_knots : the knots of C_0..C_4, which run along the rows
     column_knots : the knots of K_0..K_4, which run along the columns; their ``u`` is v_ip
-    formulation : a Formulation or its name
+    formulation : a Formulation, or the name of a registered one
     samples : number of samples along u and along v, each from 2 to 4096
 
     Raises
@@ -56,7 +48,7 @@ class Document:
         replace(self, "control_points", _checked_net(self.control_points))
         replace(self, "row_knots", _checked_curves(self.row_knots, "row_knots"))
         replace(self, "column_knots", _checked_curves(self.column_knots, "column_knots"))
-        replace(self, "formulation", Formulation(checked_choice(self.formulation, "formulation", Formulation)))
+        replace(self, "formulation", _checked_formulation(self.formulation))
         replace(self, "samples", _checked_counts(self.samples))
 
     @property
@@ -128,6 +120,12 @@ def _checked_curves(curves: object, place: str) -> tuple[Knots, ...]:
         if not isinstance(knots, Knots):
             raise DocumentError(f"{place}[{k}]", described(knots), "a Knots object")
     return tuple(entries)
+
+
+def _checked_formulation(formulation: object) -> Formulation:
+    if isinstance(formulation, Formulation):
+        return formulation
+    return FORMULATIONS[checked_choice(formulation, "formulation", FORMULATIONS)]
 
 
 def _checked_counts(samples: object) -> tuple[int, int]:

@@ -10,20 +10,13 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document, Formulation
+from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import DocumentError
-from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.formulations import Formulation
+from qovr_core.geometry.knots import Direction, KnotPlace, Knots, knot_array
 
-
-class Direction(StrEnum):
-    """The two families of curves."""
-
-    ROWS = "row_knots"
-    COLUMNS = "column_knots"
-
-
-CURVE_LETTERS = {Direction.ROWS: "C", Direction.COLUMNS: "K"}
-PARAMETERS = {Direction.ROWS: "u", Direction.COLUMNS: "v"}
+CURVE_LETTERS = {direction: direction.letter for direction in Direction}
+PARAMETERS = {direction: direction.parameter for direction in Direction}
 """The letters of the curves C_i(u) and K_j(v), and of their parameters."""
 
 
@@ -33,19 +26,6 @@ class Zone(StrEnum):
     ROW_KNOTS = "row_knots"
     COLUMN_KNOTS = "column_knots"
     CONTROL_POINTS = "control_points"
-
-
-@dataclass(frozen=True, slots=True)
-class KnotPlace:
-    """Where one knot stands: its family of curves, the curve's number, and ``r``, ``s``, ``u`` (v_ip) or ``t``."""
-
-    direction: Direction
-    curve: int
-    name: str
-
-    def __str__(self) -> str:
-        name = "v" if self.direction is Direction.COLUMNS and self.name == "u" else self.name
-        return f"{self.direction}[{self.curve}].{name}"
 
 
 @dataclass(frozen=True, slots=True)

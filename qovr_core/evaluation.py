@@ -3,27 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.document import Document, Formulation
-from qovr_core.formulations import build_patch
+from qovr_core.construction import build_patch
+from qovr_core.document import Document
 from qovr_core.geometry.alignment import align, bounding_box
 from qovr_core.geometry.patch import Patch
-
-
-class Layer(StrEnum):
-    """The two surfaces of a result: as computed, and after the transformation T."""
-
-    RAW = "raw"
-    TRANSFORMED = "transformed"
-
-
-def default_layer(document: Document) -> Layer:
-    """Return ``transformed``, but ``raw`` for ``interpolating``, whose raw surface is already in the net's place."""
-    return Layer.RAW if document.formulation is Formulation.INTERPOLATING else Layer.TRANSFORMED
+from qovr_core.layer import Layer
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.construction import curve_network
 from qovr_core.curve_figures import draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
 from qovr_core.evaluation import Surface, configure
 from qovr_core.files.atomic import replacing
-from qovr_core.formulations import curve_network
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve

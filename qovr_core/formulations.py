@@ -1,155 +1,164 @@
-"""The three surfaces that the paper's equations, data and claims describe, each as one exact patch."""
+"""The surfaces that the paper's equations, data and claims describe, one record each; arrays alone, no documents."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+from typing import ClassVar
 
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document, Formulation
-from qovr_core.errors import EvaluationError
-from qovr_core.geometry.knots import Knots, knot_array
-from qovr_core.geometry.patch import Patch
-from qovr_core.geometry.weights import CURVE_DEGREE, weight_coefficients
+from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.network import (
+    boolean_sum,
+    boolean_sum_slope,
+    network_curves,
+    product_slope,
+    product_surface,
+)
+from qovr_core.layer import Layer
+from qovr_core.registry import Record, Registry
 
 PUBLISHED_KERNEL_DECIMALS = 4
 """The published workbooks were computed from inverse kernels cut to this many decimals."""
 
+_STEP = float(np.finfo(np.float64).eps ** (1 / 5))
+"""Step of a numerical slope, as part of the knot's distance from the nearer end of (0, 1), near which surfaces vary
+like powers of 1 / distance: what a difference of fourth order cuts off and what rounding adds are then alike."""
+
+_STEPS = np.array([-2.0, -1.0, 1.0, 2.0])
+_FACTORS = np.array([1.0, -8.0, 8.0, -1.0]) / 12
+"""The central difference of fourth order: sum of factor f(x + step h), over h."""
+
 _LAST_ROW = 4
 
+Build = Callable[[Array, Array, Array], Array]
+"""Called with net (..., k, l, 3), row knots (..., k, 4) and column knots (..., l, 4); see ``Formulation``."""
 
-@dataclass(frozen=True)
-class CurveNetwork:
-    """The ten curves of a document as Bernstein coefficients.
-
-    ``rows[i]`` is C_i(u) of (42) and ``columns[j]`` is K_j(v) of (43), each (7, 3).
-    """
-
-    rows: Array
-    columns: Array
+Slope = Callable[[Array, Array, Array, KnotPlace], Array]
+"""Called with net (k, l, 3), row knots (k, 4), column knots (l, 4), and which of them; see ``Formulation``."""
 
 
-def kernel_decimals(formulation: Formulation) -> int | None:
-    """Return the decimals to which a formulation cuts its inverse kernels; None where they are exact."""
-    return PUBLISHED_KERNEL_DECIMALS if formulation is Formulation.PUBLISHED else None
-
-
-def curve_network(document: Document) -> CurveNetwork:
-    """Return the curves C_i(u) and K_j(v) of (42) and (43), as the formulation computes them."""
-    rows, columns = _curves(*_arrays(document), document.formulation)
-    return CurveNetwork(rows, columns)
-
-
-def _arrays(document: Document) -> tuple[Array, Array, Array]:
-    """Return the net, the row knots and the column knots of a document as arrays."""
-    return document.control_points, knot_array(document.row_knots), knot_array(document.column_knots)
-
-
-def _curves(net: Array, row_knots: Array, column_knots: Array, formulation: Formulation) -> tuple[Array, Array]:
-    """Return the curves of many documents at once, rows and columns, each (..., 5, 7, 3)."""
-    knots = np.concatenate([row_knots, column_knots], axis=-2)
-    weights = weight_coefficients(knots, kernel_decimals=kernel_decimals(formulation))
-    curves = weights @ np.concatenate([net, net.swapaxes(-2, -3)], axis=-3)
-    return curves[..., :NET_SIZE, :, :], curves[..., NET_SIZE:, :, :]
-
-
-def active_rows(formulation: Formulation) -> tuple[int, ...]:
-    """Return the rows i whose knots have an effect on the surface; all five columns always have."""
-    return (_LAST_ROW,) if formulation is Formulation.PUBLISHED else (0, 1, 2, 3, 4)
-
-
-def build_patch(document: Document) -> Patch:
-    """Return the raw surface of a document as one polynomial patch.
-
-    Raises
-    ------
-    EvaluationError : a knot so close to 0 or 1, or points so large, that coordinates overflow
-    """
-    with np.errstate(all="ignore"):  # what overflows is refused just below, in words
-        coefficients = patch_coefficients(*_arrays(document), document.formulation)
-    if not np.isfinite(coefficients).all():
-        raise EvaluationError(_overflow_text(document))
-    return Patch(coefficients, patch_degree(document))
-
-
-def patch_coefficients(net: Array, row_knots: Array, column_knots: Array, formulation: Formulation) -> Array:
-    """Return the raw surfaces of many documents at once, as Bernstein coefficients.
+@dataclass(frozen=True, eq=False, repr=False)
+class Formulation(Record):
+    """How the curves of a net become one surface; compared and pickled by its name.
 
     Parameters
     ----------
-    net : (..., 5, 5, 3) control points
-    row_knots, column_knots : (..., 5, 4) knots r, s, u, t of C_0..C_4 and of K_0..K_4; the leading axes of
-        both are the same, and broadcastable with those of ``net``
+    name : in documents, files and commands
+    description : what surface it is, in one sentence
+    build : gives the raw surfaces (..., 7, 7, 3) of many nets at once, as Bernstein coefficients of degree 6 each way,
+        u along the first of them; the leading axes of both knot arrays are the same, and broadcastable with those of
+        the net. Along u the surface is of degree 4 where s_ip = u_ip on every active row, along v likewise
+    slope : gives the derivative (7, 7, 3) of these coefficients with respect to one knot; None has it taken numerically
+    active_rows, active_columns : the curves whose knots have an effect on the surface; None for all of them
+    kernel_decimals : to how many decimals the inverse kernels are cut; None where they are exact
+    resting_layer : the layer that lies on the control net
+    is_as_claimed : whether it is the surface that the paper's claims describe
 
-    Returns
-    -------
-    (..., 7, 7, 3) float64, u along the first of them; not finite where coordinates overflow
+    Raises
+    ------
+    ValueError : the kernels are cut, so that the surface is a step function of its knots, and no slope is given
     """
-    return _BUILDERS[formulation](net, row_knots, column_knots)
 
+    name: str
+    description: str
+    build: Build
+    slope: Slope | None = None
+    active_rows: tuple[int, ...] | None = None
+    active_columns: tuple[int, ...] | None = None
+    kernel_decimals: int | None = None
+    resting_layer: Layer = Layer.TRANSFORMED
+    is_as_claimed: bool = False
 
-def patch_degree(document: Document) -> tuple[int, int]:
-    """Return the degree of the surface in u and v: 4 where s_ip = u_ip on every curve that counts, else 6."""
-    rows = [document.row_knots[i] for i in active_rows(document.formulation)]
-    return _degree(rows), _degree(document.column_knots)
+    table: ClassVar[Registry[Formulation]] = Registry("formulation")
+    PUBLISHED: ClassVar[Formulation]
+    DOUBLE_SUM: ClassVar[Formulation]
+    INTERPOLATING: ClassVar[Formulation]
 
+    def __post_init__(self) -> None:
+        if self.kernel_decimals is not None and self.slope is None:
+            raise ValueError(f"the formulation '{self.name}' cuts its kernels; expected the slope of its uncut surface")
 
-def _degree(curves: list[Knots] | tuple[Knots, ...]) -> int:
-    return 4 if all(knots.is_quartic for knots in curves) else CURVE_DEGREE
+    def active_curves(self, direction: Direction) -> tuple[int, ...] | None:
+        """Return the curves of a direction whose knots have an effect on the surface; None for all of them."""
+        return self.active_rows if direction is Direction.ROWS else self.active_columns
 
+    def is_active(self, direction: Direction, curve: int) -> bool:
+        """Return whether the knots of a curve have an effect on the surface."""
+        active = self.active_curves(direction)
+        return active is None or curve in active
 
-def _product_surface(along_u: Array, along_v: Array) -> Array:
-    """Return the component-wise product of two curves (..., 7, 3) as patch coefficients (..., 7, 7, 3)."""
-    return along_u[..., :, None, :] * along_v[..., None, :, :]
+    def active_names(self, direction: Direction) -> list[str]:
+        """Return the names of the active curves of a direction, as ``C_4``; none where every curve is active."""
+        return [f"{direction.letter}_{curve}" for curve in self.active_curves(direction) or ()]
+
+    def knot_slope(self, net: Array, row_knots: Array, column_knots: Array, place: KnotPlace) -> Array:
+        """Return the derivative of the raw surface with respect to one knot, as patch coefficients (7, 7, 3).
+
+        It is exact where the record knows its slope. Else it is a central difference, off by about 1e-11 of the
+        surface's largest coefficient over the knot's distance from the nearer end of (0, 1). Where kernels are cut
+        it is that of the same surface with its kernels uncut.
+
+        Parameters
+        ----------
+        net, row_knots, column_knots : (k, l, 3), (k, 4) and (l, 4)
+        place : which knot
+        """
+        if not self.is_active(place.direction, place.curve):
+            return np.zeros_like(self.build(net, row_knots, column_knots))
+        slope = self.slope or self._numerical_slope
+        return slope(net, row_knots, column_knots, place)
+
+    def _numerical_slope(self, net: Array, row_knots: Array, column_knots: Array, place: KnotPlace) -> Array:
+        knots = [np.stack([row_knots] * len(_STEPS)), np.stack([column_knots] * len(_STEPS))]
+        moved = knots[place.direction is Direction.COLUMNS][:, place.curve, place.number]
+        step = _STEP * min(moved[0], 1 - moved[0])
+        moved += step * _STEPS
+        return np.tensordot(_FACTORS / step, self.build(net, *knots), axes=1)
 
 
 def _published(net: Array, row_knots: Array, column_knots: Array) -> Array:
     """Only the last row curve enters: C_4(u) * sum_j K_j(v), as the published workbooks contain."""
-    rows, columns = _curves(net, row_knots, column_knots, Formulation.PUBLISHED)
-    return _product_surface(rows[..., _LAST_ROW, :, :], columns.sum(axis=-3))
+    rows, columns = network_curves(net, row_knots, column_knots, PUBLISHED_KERNEL_DECIMALS)
+    return product_surface(rows[..., _LAST_ROW, :, :], columns.sum(axis=-3))
 
 
 def _double_sum(net: Array, row_knots: Array, column_knots: Array) -> Array:
     """(sum_i C_i(u)) * (sum_j K_j(v)), eqs. (27), (44) and Algorithm 1 as printed."""
-    rows, columns = _curves(net, row_knots, column_knots, Formulation.DOUBLE_SUM)
-    return _product_surface(rows.sum(axis=-3), columns.sum(axis=-3))
+    rows, columns = network_curves(net, row_knots, column_knots)
+    return product_surface(rows.sum(axis=-3), columns.sum(axis=-3))
 
 
-def _interpolating(net: Array, row_knots: Array, column_knots: Array) -> Array:
-    """The Boolean-sum (Gordon) surface of the curve network, blended with the weights of the mean knots."""
-    rows, columns = _curves(net, row_knots, column_knots, Formulation.INTERPOLATING)
-    means = np.stack([row_knots.mean(axis=-2), column_knots.mean(axis=-2)])
-    along_u, along_v = weight_coefficients(means)
-    # Rows and points are blended by the same weights along v, so their difference is blended once.
-    beyond_the_net = rows - along_u[..., None, :, :] @ net
-    return _blend(along_u, columns) + _blend(along_v, beyond_the_net).swapaxes(-2, -3)
+Formulation.PUBLISHED = Formulation(
+    name="published",
+    description="What the published workbooks contain: the last row curve times the sum of the columns, with kernels "
+    "cut to four decimals.",
+    build=_published,
+    slope=partial(product_slope, entering_rows=slice(_LAST_ROW, None)),
+    active_rows=(_LAST_ROW,),
+    kernel_decimals=PUBLISHED_KERNEL_DECIMALS,
+)
+Formulation.DOUBLE_SUM = Formulation(
+    name="double-sum",
+    description="The paper's equations as printed: the sum of the row curves times the sum of the columns.",
+    build=_double_sum,
+    slope=product_slope,
+)
+Formulation.INTERPOLATING = Formulation(
+    name="interpolating",
+    description="What the paper claims: a surface through the inner control points, with fixed edges.",
+    build=boolean_sum,
+    slope=boolean_sum_slope,
+    resting_layer=Layer.RAW,
+    is_as_claimed=True,
+)
 
+FORMULATIONS = Formulation.table
+"""All formulations, in the order in which they are offered."""
 
-def _blend(weights: Array, curves: Array) -> Array:
-    """Return sum_k weights[a, k] curves[k, b, :], (..., 7, 7, 3), of (..., 7, 5) and (..., 5, 7, 3)."""
-    blended = weights @ curves.reshape(*curves.shape[:-2], -1)
-    return blended.reshape(*blended.shape[:-1], *curves.shape[-2:])
-
-
-_BUILDERS: dict[Formulation, Callable[[Array, Array, Array], Array]] = {
-    Formulation.PUBLISHED: _published,
-    Formulation.DOUBLE_SUM: _double_sum,
-    Formulation.INTERPOLATING: _interpolating,
-}
-
-
-def _overflow_text(document: Document) -> str:
-    """Name the knot nearest to an end of (0, 1), which is what makes coordinates overflow."""
-    curves = [("row_knots", i, k) for i, k in enumerate(document.row_knots)]
-    curves += [("column_knots", j, k) for j, k in enumerate(document.column_knots)]
-    margin, place = min(
-        (min(value, 1 - value), f"{zone}[{index}].{name} = {value!r}")
-        for zone, index, knots in curves
-        for name, value in zip("rsvt" if zone == "column_knots" else "rsut", knots, strict=True)
-    )
-    return (
-        f"the surface has no finite coordinates: {place} is only {margin:.3g} away from an end of (0, 1); "
-        "expected knots, and coordinates, of ordinary size"
-    )
+for _record in (Formulation.PUBLISHED, Formulation.DOUBLE_SUM, Formulation.INTERPOLATING):
+    FORMULATIONS.register(_record)
+FORMULATIONS.seal()

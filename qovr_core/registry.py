@@ -102,6 +102,9 @@ class Record:
     def __str__(self) -> str:
         return self.name
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.name!r})"
+
     def __format__(self, spec: str) -> str:
         return format(self.name, spec)
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from qovr_core.document import Document
+from qovr_core.edits import knots_of
 from qovr_core.evaluation import Surface
-from qovr_core.formulations import active_rows
+from qovr_core.formulations import FORMULATIONS
+from qovr_core.geometry.knots import Direction
 
 
 def surface_facts(surface: Surface) -> dict[str, Any]:
@@ -22,7 +24,12 @@ def surface_facts(surface: Surface) -> dict[str, Any]:
         "matrix": surface.matrix.tolist(),
         "flat_axes": list(surface.flat_axes),
         "not_monotone": not_monotone(document),
-        "without_effect": [f"row_knots[{i}]" for i in range(5) if i not in active_rows(document.formulation)],
+        "without_effect": [
+            f"{direction}[{curve}]"
+            for direction in Direction
+            for curve in range(len(knots_of(document, direction)))
+            if not document.formulation.is_active(direction, curve)
+        ],
     }
 
 
@@ -51,8 +58,11 @@ def facts_text(facts: dict[str, Any]) -> str:
             f"flat             the raw surface has no extent along {', '.join(facts['flat_axes'])}: T only moves there"
         )
     if facts["without_effect"]:
+        formulation = FORMULATIONS[facts["formulation"]]
+        names = [name for direction in Direction for name in formulation.active_names(direction)]
+        entering = f"{', '.join(names)} {'enters' if len(names) == 1 else 'enter'}"
         lines.append(
-            f"without effect   {', '.join(facts['without_effect'])}: only C_4 enters the published formulation"
+            f"without effect   {', '.join(facts['without_effect'])}: only {entering} the {formulation} formulation"
         )
     folding = ", ".join(facts["not_monotone"]) or "none"
     lines.append(f"folding back     {folding}")

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.document import Formulation
 from qovr_core.errors import EvaluationError
 from qovr_core.evaluation import configure
 from qovr_core.files.workbook_read import PublishedNumbers, read_published_numbers
+from qovr_core.formulations import FORMULATIONS, Formulation
 
 RAW_TOLERANCE = 1e-8
 """Raw coordinates stand at full precision in the workbooks."""
@@ -57,7 +57,7 @@ def reproduce(path: Path) -> Reproduction:
     FileError : the workbook cannot be read or lacks a number
     """
     published = read_published_numbers(path)
-    differences = {formulation: _difference(published, formulation) for formulation in Formulation}
+    differences = {formulation: _difference(published, formulation) for formulation in FORMULATIONS.values()}
     return Reproduction(path, published.document.samples, differences)
 
 

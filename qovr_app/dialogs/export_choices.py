@@ -7,9 +7,9 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePo
 
 from qovr_app.state.number_texts import number_text, typed_number
 from qovr_core import Document, DocumentError
-from qovr_core.evaluation import Layer, default_layer
 from qovr_core.files import Format
 from qovr_core.files.options import ExportOptions
+from qovr_core.layer import Layer
 
 
 class ExportChoices(QWidget):
@@ -29,7 +29,7 @@ class ExportChoices(QWidget):
         self._layer = QComboBox(self, objectName="export.layer")
         self._layer.setAccessibleName("Which surface")
         self._layer.addItems([str(layer) for layer in Layer])
-        self._layer.setCurrentText(str(default_layer(document)))
+        self._layer.setCurrentText(str(document.formulation.resting_layer))
         self._tolerance = QLineEdit(self, objectName="export.tolerance")
         self._tolerance.setAccessibleName("Largest distance of the mesh from the surface")
         self._tolerance.setPlaceholderText("as the document's samples")

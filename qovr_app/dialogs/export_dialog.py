@@ -26,9 +26,11 @@ from PySide6.QtWidgets import (
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.export_choices import ExportChoices
-from qovr_app.dialogs.export_job import ExportJob
+from qovr_app.work.job import Job
+from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.files import FORMATS, Format
+from qovr_core.files.formats import export
 
 _PROGRESS_PARTS = 1000
 _WIDTH = 760
@@ -48,12 +50,13 @@ class ExportDialog(QDialog):
 
     exported = Signal(object)
 
-    def __init__(self, document: Document, stem: Path, parent: QWidget | None = None) -> None:
+    def __init__(self, document: Document, stem: Path, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle("Export Data")
         self.setObjectName("export")
         self._document = document
-        self._job: ExportJob | None = None
+        self._worker = worker
+        self._job: Job | None = None
         self._formats = self._make_formats()
         self._choices = ExportChoices(document, self)
         self._path = QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self, objectName="export.path")
@@ -91,7 +94,7 @@ class ExportDialog(QDialog):
         else:
             self._cancel.setEnabled(False)
             self._note.setText("Cancelling…")
-            self._job.cancel()
+            self._job.cancel(self._on_cancelled)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape:
@@ -206,10 +209,16 @@ class ExportDialog(QDialog):
             return
         options = self._choices.options(self._entry)
         self._set_running(True)
-        self._job = ExportJob(self._document, self._entry, self.path, options, self)
-        self._job.progressed.connect(lambda part: self._bar.setValue(round(part * _PROGRESS_PARTS)))
-        self._job.ended.connect(self._on_ended)
-        self._job.start()
+        self._job = self._worker.run(
+            export,
+            self._document,
+            self.path,
+            options,
+            on_progress=lambda part: self._bar.setValue(round(part * _PROGRESS_PARTS)),
+            on_done=lambda _: self._on_done(),
+            on_failed=lambda error: self._stop(f"{error}."),
+            target=self.path,
+        )
 
     def _set_running(self, is_running: bool) -> None:
         for widget in (self._formats, self._choices, self._path, self._browse, self._start):
@@ -218,12 +227,19 @@ class ExportDialog(QDialog):
         self._bar.setValue(0)
         self._bar.setVisible(is_running)
 
-    def _on_ended(self, reason: str | None) -> None:
-        self._job.wait()
-        self._job = None
+    def _on_done(self) -> None:
         self._set_running(False)
-        if reason == "":
-            self.exported.emit(self.path)
-            self.accept()
+        self._job = None
+        self.exported.emit(self.path)
+        self.accept()
+
+    def _on_cancelled(self, was_done: bool) -> None:
+        if was_done:
+            self._on_done()
         else:
-            self._note.setText("Cancelled; nothing was written." if reason is None else reason)
+            self._stop("Cancelled; nothing was written.")
+
+    def _stop(self, reason: str) -> None:
+        self._set_running(False)
+        self._job = None
+        self._note.setText(reason)

@@ -15,7 +15,6 @@ from qovr_app.widgets.parts import CompactButton, symbol
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
 from qovr_core.edits import CURVE_LETTERS, KnotPlace, value_at
-from qovr_core.evaluation import default_layer
 from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount
 
 _STEP = 0.01
@@ -96,10 +95,10 @@ class ChangeBar(QWidget):
     def show_focus(self, document: Document, focus: Focus) -> None:
         """Show the controls for a knot, a point, or nothing, of a document."""
         self._document, self._focus = document, focus
-        if document.formulation is not self._formulation:
+        if document.formulation != self._formulation:
             self._formulation = document.formulation
             with QSignalBlocker(self._layer):
-                self._layer.setCurrentText(default_layer(document))
+                self._layer.setCurrentText(document.formulation.resting_layer)
         is_knot = isinstance(focus, KnotPlace)
         for control in (self._by, self._amount, self._default):
             control.setVisible(focus is not None)

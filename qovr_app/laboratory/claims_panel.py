@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
-from qovr_app.laboratory.claims_table import FORMULATIONS, MARKS, ClaimsTable, number
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
 from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.style.spacing import SPACE
@@ -19,12 +19,11 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
 from qovr_app.widgets.splitter import LineSplitter
-from qovr_core import AlignedPatch, Document
+from qovr_core import FORMULATIONS, AlignedPatch, Document
 from qovr_core.laboratory.claims import Finding
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import CLAIMS, verify_steps
 
-_ALL = len(CLAIMS) * len(FORMULATIONS)
 _FIRST_WIDTHS = (450, 200)
 
 
@@ -55,7 +54,8 @@ class ClaimsPanel(LaboratoryPanel):
         self._example = self._button("example", "Open a document that shows what was found")
         self._state = QLabel(self, objectName="laboratory.claims.state")
         self._progress = QProgressBar(self, objectName="laboratory.claims.progress", accessibleName="Verdicts found")
-        self._progress.setRange(0, _ALL)
+        self._all = len(CLAIMS) * len(FORMULATIONS)
+        self._progress.setRange(0, self._all)
         self._progress.setTextVisible(False)
         self._progress.setFixedHeight(SPACE)
         policy = self._progress.sizePolicy()
@@ -66,12 +66,12 @@ class ClaimsPanel(LaboratoryPanel):
     @property
     def is_current(self) -> bool:
         """Whether every verdict shown is the document's."""
-        return self._found == _ALL
+        return self._found == self._all
 
     def show_result(self, result: AlignedPatch) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
         self._table.show_formulation(result.document.formulation)
-        document = replace(result.document, formulation=FORMULATIONS[0], samples=SAMPLES)
+        document = replace(result.document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
         if document == self._document:
             return
         self._document, self._found = document, 0
@@ -107,7 +107,7 @@ class ClaimsPanel(LaboratoryPanel):
         for finding in self._row:
             self._table.show_finding(finding)
         self._row = []
-        self._show_state(f"Deciding: {self._found} of {_ALL}")
+        self._show_state(f"Deciding: {self._found} of {self._all}")
         if self.is_current:
             self._show_state("Every claim is decided")
 

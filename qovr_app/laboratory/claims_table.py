@@ -18,14 +18,13 @@ from PySide6.QtWidgets import (
 from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
-from qovr_core import Formulation
+from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import Claim, Finding, Verdict
 from qovr_core.laboratory.verify import CLAIMS
 
 MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
 """Read without colour: a tick, a half, a cross."""
 
-FORMULATIONS = tuple(Formulation)
 _FIRST, _SECOND, _IS_OLD, _FINDING = (Qt.ItemDataRole.UserRole + k for k in range(4))
 _LINES = 2
 _COLUMN_WIDTH = 112
@@ -49,7 +48,8 @@ class ClaimsTable(QTableWidget):
         super().__init__(len(CLAIMS), 1 + len(FORMULATIONS), parent)
         self.setObjectName("laboratory.claims.table")
         self.setAccessibleName("The paper's claims and the verdict for every formulation")
-        self._of_document = FORMULATIONS[0]
+        self._formulations = list(FORMULATIONS.values())
+        self._of_document = self._formulations[0]
         self.setItemDelegate(_TwoLines(self))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
@@ -70,16 +70,16 @@ class ClaimsTable(QTableWidget):
     def show_formulation(self, formulation: Formulation) -> None:
         """Set the document's own formulation apart."""
         self._of_document = formulation
-        for column, name in enumerate(FORMULATIONS, start=1):
+        for column, shown in enumerate(self._formulations, start=1):
             font = QFont(self.font())
-            font.setBold(name is formulation)
+            font.setBold(shown == formulation)
             self.horizontalHeaderItem(column).setFont(font)
-            is_own = " (the document's)" if name is formulation else ""
-            self.horizontalHeaderItem(column).setToolTip(f"Formulation {name}{is_own}")
+            is_own = " (the document's)" if shown == formulation else ""
+            self.horizontalHeaderItem(column).setToolTip(f"Formulation {shown}{is_own}")
 
     def show_finding(self, finding: Finding) -> None:
         """Show a finding in its cell."""
-        item = self.item(CLAIMS.index(finding.claim), 1 + FORMULATIONS.index(finding.formulation))
+        item = self.item(CLAIMS.index(finding.claim), 1 + self._formulations.index(finding.formulation))
         here = "holds" if finding.here.holds else "fails"
         item.setData(_FIRST, f"{MARKS[finding.verdict]} {finding.verdict}")
         item.setData(_SECOND, f"here {here} {number(finding.here.value)}")
@@ -100,7 +100,7 @@ class ClaimsTable(QTableWidget):
 
     def current_finding(self) -> Finding | None:
         """Return the finding of the current cell; a claim's own cell stands for the document's formulation."""
-        column = self.currentColumn() or 1 + FORMULATIONS.index(self._of_document)
+        column = self.currentColumn() or 1 + self._formulations.index(self._of_document)
         item = self.item(self.currentRow(), column)
         return item.data(_FINDING) if item is not None else None
 
@@ -122,7 +122,7 @@ class ClaimsTable(QTableWidget):
         )
 
     def _arrange_headers(self) -> None:
-        self.setHorizontalHeaderLabels(["claim", *map(str, FORMULATIONS)])
+        self.setHorizontalHeaderLabels(["claim", *map(str, self._formulations)])
         across, down = self.horizontalHeader(), self.verticalHeader()
         across.setHighlightSections(False)
         across.setSectionsClickable(False)

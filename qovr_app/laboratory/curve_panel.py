@@ -19,7 +19,6 @@ from qovr_app.widgets.parts import CompactButton
 from qovr_core import AlignedPatch, QovrError
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
-from qovr_core.formulations import active_rows
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View
 
@@ -208,7 +207,7 @@ class CurvePanel(LaboratoryPanel):
         name = f"<b>{symbol_html(CURVE_LETTERS[curve.direction], str(curve.number))}</b>(<i>{curve.parameter}</i>)"
         short = f"{name}, degree {4 if curve.knots.is_quartic else 6}"
         formulation = self._result.document.formulation
-        if curve.direction is Direction.ROWS and curve.number not in active_rows(formulation):
+        if not formulation.is_active(curve.direction, curve.number):
             return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"
         return f"{short}&nbsp;&nbsp; broad: blended&nbsp;&nbsp; dashed: beyond its points", short
 

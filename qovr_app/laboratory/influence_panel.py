@@ -15,18 +15,14 @@ from qovr_app.laboratory.heat_map import HeatMap
 from qovr_app.laboratory.influence_numbers import FactTable, copied_text, facts
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.laboratory.wording import percent_text, value_text
+from qovr_app.state.names import ZONE_TITLES
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import Theme
 from qovr_core import AlignedPatch, Document, QovrError
-from qovr_core.edits import Direction, KnotPlace
-from qovr_core.formulations import active_rows
+from qovr_core.edits import KnotPlace, Zone
 from qovr_core.laboratory.influence import Influence, KnotMove, influence
 
 _NAME = "laboratory.influence"
-_WHY_IDLE = (
-    "This knot moves nothing: the published surface uses the row-wise knots of C_4 alone. "
-    "Choose another formulation to see what it does there."
-)
 _TABLE_WIDTH = 196
 _WHAT_TO_DO = (
     "Select a control point in the view, or click into the field of a point or a knot: "
@@ -164,9 +160,14 @@ def _captioned(picture: QWidget, *caption: QWidget) -> QVBoxLayout:
 def _why_nothing_moves(document: Document, found: Influence) -> str:
     change = found.change
     if isinstance(change, KnotMove) and _is_idle(document, change.place):
-        return _WHY_IDLE
+        direction = change.place.direction
+        used = f"{ZONE_TITLES[Zone(direction)].lower()} of {', '.join(document.formulation.active_names(direction))}"
+        return (
+            f"This knot moves nothing: the {document.formulation} surface uses the {used} alone. "
+            "Choose another formulation to see what it does there."
+        )
     return "Nothing moves."
 
 
 def _is_idle(document: Document, place: KnotPlace) -> bool:
-    return place.direction is Direction.ROWS and place.curve not in active_rows(document.formulation)
+    return not document.formulation.is_active(place.direction, place.curve)

@@ -19,6 +19,7 @@ from qovr_app.window.controller import Controller
 from qovr_app.window.preferences import Preferences
 from qovr_app.window.recovery import RecoveryStore, Unsaved
 from qovr_app.window.session import DOCUMENT_SUFFIX, Session
+from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.files.sources import PRESET_PREFIX, READERS
 
@@ -53,9 +54,12 @@ class Desk(QObject):
         view: Callable[[], View3D],
         preferences: Preferences | None,
         parent: QWidget,
+        *,
+        worker: Worker,
     ) -> None:
         super().__init__(parent)
         self._session, self._controller, self._view = session, controller, view
+        self._worker = worker
         self._preferences = preferences
         self._window = parent
         self._folder = preferences.folder if preferences else Path.cwd()
@@ -160,7 +164,7 @@ class Desk(QObject):
         if state.is_stale:
             self.told.emit("Nothing to export: configure the surface first.", True)
             return
-        dialog = ExportDialog(state.document, self._stem, self._window)
+        dialog = ExportDialog(state.document, self._stem, self._worker, self._window)
         dialog.exported.connect(self._on_written)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()

@@ -26,8 +26,9 @@ from qovr_app.window.recovery import Keeper, RecoveryStore
 from qovr_app.window.session import Session
 from qovr_app.window.view_commands import view_commands
 from qovr_app.window.window_commands import go_commands, help_commands, window_commands
+from qovr_app.work.notices import Notices
+from qovr_app.work.worker import Worker
 from qovr_core import AlignedPatch, Formulation
-from qovr_core.evaluation import default_layer
 from qovr_core.files.sources import READERS
 from qovr_core.presets import figure_cases
 
@@ -59,12 +60,14 @@ class MainWindow(QMainWindow):
         if source is not None:
             self.session.open(source)
         self.controller = Controller(self.session, self)
+        self._worker = Worker(self)
+        self._notices = Notices(self)
         self._preferences = preferences
         self._settings = DisplaySettings(theme=theme_in_force().name)
         if preferences:
             self._settings = preferences.display(self._settings)
         self.workspace = Workspace(self.controller, self)
-        self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self)
+        self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self, worker=self._worker)
         self.colours = ColourDesk(self.session, self.controller, lambda: self.view, self)
         self._keeper: Keeper | None = None
         self._result: AlignedPatch | None = None
@@ -130,6 +133,7 @@ class MainWindow(QMainWindow):
         space.laboratory.rival_requested.connect(self.colours.show_rival)
         space.focus_changed.connect(self.colours.focus_on)
         self.colours.told.connect(self.tell)
+        self._notices.noticed.connect(self.tell)
         self.desk.told.connect(lambda text, refused: self.tell(text, refused=refused))
         self.desk.opened.connect(self._on_opened)
         self.session.opened.connect(space.drop_text)
@@ -193,7 +197,7 @@ class MainWindow(QMainWindow):
 
     def _show_layer_in_place(self) -> None:
         """Show the layer that lies on the control net, unless both are shown."""
-        layer = default_layer(self._result.document)
+        layer = self._result.document.formulation.resting_layer
         if self._settings.layer not in (Layer.BOTH, layer):
             self.commands[f"layer_{layer}"].trigger()
 
@@ -326,6 +330,8 @@ class MainWindow(QMainWindow):
             return
         self._remember_layout()
         self.desk.release()
+        self._worker.close()
+        self._notices.close()
         if self._keeper is not None:
             self._keeper.close()
         super().closeEvent(event)

@@ -11,11 +11,10 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import Note, symbol
 from qovr_app.zones.knot_slider import KnotSlider
 from qovr_app.zones.zone import FieldZone
-from qovr_core import Document, Formulation, Knots
+from qovr_core import FORMULATIONS, Document, Formulation, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace, Place, Zone, knots_of
-from qovr_core.formulations import active_rows
 
 _STEP = 0.01
 _NAMES = {Direction.ROWS: "rsut", Direction.COLUMNS: "tusr"}
@@ -52,7 +51,7 @@ class KnotsZone(FieldZone):
         self._layout.addLayout(slider_row)
         self._layout.addLayout(self._make_buttons())
         self._note = Note(f"{direction}.note", self)
-        self._note.linkActivated.connect(lambda name: self.formulation_requested.emit(Formulation(name)))
+        self._note.linkActivated.connect(lambda name: self.formulation_requested.emit(FORMULATIONS[name]))
         self._layout.addWidget(self._note)
         self._layout.addStretch(1)
         self._focused = next(iter(self.fields))
@@ -60,13 +59,13 @@ class KnotsZone(FieldZone):
     def show_documents(self, document: Document, draft: Document) -> None:
         super().show_documents(document, draft)
         curves = knots_of(draft, self._direction)
-        active = active_rows(document.formulation) if self._direction is Direction.ROWS else tuple(range(NET_SIZE))
+        formulation = document.formulation
         for place, field in self.fields.items():
-            field.set_idle(place.curve not in active)
+            field.set_idle(not formulation.is_active(self._direction, place.curve))
             if place.name == "s":
                 knots = curves[place.curve]
                 field.set_warning("" if knots.is_monotone else _folding_text(self._name(place.curve), knots))
-        self._note.say("<br>".join(self._notes(curves, active)))
+        self._note.say("<br>".join(self._notes(curves, formulation)))
         self._show_slider()
 
     def set_links(self, *, curves: bool, directions: bool) -> None:
@@ -144,23 +143,33 @@ class KnotsZone(FieldZone):
     def _name(self, curve: int) -> str:
         return f"{CURVE_LETTERS[self._direction]}_{curve}"
 
-    def _notes(self, curves: tuple[Knots, ...], active: tuple[int, ...]) -> list[str]:
+    def _notes(self, curves: tuple[Knots, ...], formulation: Formulation) -> list[str]:
+        active = [number for number in range(len(curves)) if formulation.is_active(self._direction, number)]
         notes = []
-        if len(active) < NET_SIZE:
-            first, last = (symbol_html("C", str(number)) for number in (0, NET_SIZE - 2))
+        if len(active) < len(curves):
+            idle = [number for number in range(len(curves)) if number not in active]
+            is_run = len(idle) > 1 and idle == list(range(idle[0], idle[-1] + 1))
+            names, used = self._symbols(idle), ", ".join(self._symbols(active))
             notes.append(
-                f"{first}..{last} have no effect: the <i>published</i> surface uses {symbol_html('C', '4')} alone. "
-                f'Choose <a href="{Formulation.INTERPOLATING}">interpolating</a> or '
-                f'<a href="{Formulation.DOUBLE_SUM}">double-sum</a> to use all rows.'
+                f"{f'{names[0]}..{names[-1]}' if is_run else ', '.join(names)} have no effect: "
+                f"the <i>{formulation}</i> surface uses {used} alone. {self._way_out()}"
             )
         folding = [k for k, knots in enumerate(curves) if k in active and not knots.is_monotone]
         if folding:
             notes.append(self._folding_note([curves[k] for k in folding], folding))
         return notes
 
+    def _way_out(self) -> str:
+        """Return which formulations use every curve of the direction, the latest first, as links."""
+        whole = [each for each in FORMULATIONS.values() if each.active_curves(self._direction) is None]
+        links = " or ".join(f'<a href="{each}">{each}</a>' for each in reversed(whole))
+        return f"Choose {links} to use all {'rows' if self._direction is Direction.ROWS else 'columns'}."
+
+    def _symbols(self, numbers: list[int]) -> list[str]:
+        return [symbol_html(CURVE_LETTERS[self._direction], str(number)) for number in numbers]
+
     def _folding_note(self, folding: list[Knots], numbers: list[int]) -> str:
-        letter, s = CURVE_LETTERS[self._direction], symbol_html("s", "ip")
-        shown = [symbol_html(letter, str(number)) for number in numbers]
+        shown, s = self._symbols(numbers), symbol_html("s", "ip")
         names = f"{shown[0]}..{shown[-1]}" if len(shown) == NET_SIZE else ", ".join(shown)
         verb = "folds" if len(shown) == 1 else "fold"
         if len({knots.u for knots in folding}) > 1:

@@ -11,14 +11,7 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_table import NumberTable
 from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
 from qovr_app.zones.samples_field import SamplesField
-from qovr_core import AlignedPatch, Document, Formulation
-
-FORMULATION_TIPS = {
-    Formulation.PUBLISHED: "What the published workbooks contain: the last row curve times the sum of the columns, "
-    "with kernels cut to four decimals.",
-    Formulation.DOUBLE_SUM: "The paper's equations as printed: the sum of the row curves times the sum of the columns.",
-    Formulation.INTERPOLATING: "What the paper claims: a surface through the inner control points, with fixed edges.",
-}
+from qovr_core import FORMULATIONS, AlignedPatch, Document
 
 
 class SurfaceZone(QFrame):
@@ -72,8 +65,8 @@ class SurfaceZone(QFrame):
     def show_state(self, document: Document, result: AlignedPatch | None, *, is_stale: bool) -> None:
         """Show what the document asks for, and the numbers of the surface configured last."""
         with QSignalBlocker(self._formulation):
-            self._formulation.setCurrentIndex(self._formulation.findText(document.formulation))
-        self._formulation.setToolTip(FORMULATION_TIPS[document.formulation])
+            self._formulation.setCurrentIndex(self._formulation.findText(document.formulation.name))
+        self._formulation.setToolTip(document.formulation.description)
         for field, count in zip(self._samples, document.samples, strict=True):
             field.show_count(count)
         self._show_result(result)
@@ -127,11 +120,11 @@ class SurfaceZone(QFrame):
 
     def _fill_formulations(self) -> None:
         self._formulation.setAccessibleName("Formulation")
-        for name in Formulation:
-            self._formulation.addItem(str(name), name)
-            self._formulation.setItemData(self._formulation.count() - 1, FORMULATION_TIPS[name], Qt.ToolTipRole)
+        for formulation in FORMULATIONS.values():
+            self._formulation.addItem(formulation.name, formulation)
+            self._formulation.setItemData(self._formulation.count() - 1, formulation.description, Qt.ToolTipRole)
         self._formulation.currentIndexChanged.connect(
-            lambda index: self.formulation_edited.emit(Formulation(self._formulation.itemText(index)))
+            lambda index: self.formulation_edited.emit(self._formulation.itemData(index))
         )
 
     def _arrange(self) -> None:

@@ -11,10 +11,12 @@ from pathlib import Path
 from typing import Any
 
 from qovr_core.commands.common import DONE, SOURCE_HELP, progress_bar
-from qovr_core.document import Document, Formulation
+from qovr_core.document import Document
 from qovr_core.errors import DocumentError, FileError, QovrError
-from qovr_core.evaluation import Layer, configure
+from qovr_core.evaluation import configure
 from qovr_core.files import FORMATS, ExportOptions, format_for, read_source
+from qovr_core.formulations import FORMULATIONS
+from qovr_core.layer import Layer
 
 _OF_ONE_LAYER = ", ".join(entry.suffix for entry in FORMATS.values() if entry.holds_one_layer)
 _MESHES = ", ".join(entry.suffix for entry in FORMATS.values() if entry.is_mesh)
@@ -24,7 +26,7 @@ def add_command(commands: Any) -> None:
     command = commands.add_parser("export", help="evaluate and write files", epilog=SOURCE_HELP)
     command.add_argument("source", metavar="SOURCE")
     command.add_argument("outs", metavar="OUT", nargs="+", type=Path, help=f"ends in {', '.join(FORMATS)}")
-    command.add_argument("--formulation", choices=[str(name) for name in Formulation])
+    command.add_argument("--formulation", choices=list(FORMULATIONS))
     command.add_argument("--samples", type=_samples, metavar="N|NxM", help="samples along u and v, 2 to 4096")
     command.add_argument(
         "--layer",
@@ -60,7 +62,7 @@ def _export(arguments: argparse.Namespace) -> int:
 def _changed(document: Document, arguments: argparse.Namespace) -> Document:
     """Return the document with what the call's options say."""
     if arguments.formulation is not None:
-        document = replace(document, formulation=Formulation(arguments.formulation))
+        document = replace(document, formulation=FORMULATIONS[arguments.formulation])
     if arguments.samples is not None:
         document = replace(document, samples=arguments.samples)
     return document

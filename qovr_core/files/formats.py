@@ -8,7 +8,7 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Surface, configure
 from qovr_core.files.csv_table import write_csv
 from qovr_core.files.glb import write_glb
 from qovr_core.files.iges import write_iges
@@ -17,7 +17,7 @@ from qovr_core.files.npz_arrays import write_npz
 from qovr_core.files.obj import write_obj
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.ply import write_ply
-from qovr_core.files.progress import Progress
+from qovr_core.files.progress import Progress, silent
 from qovr_core.files.qovr_document import write_document
 from qovr_core.files.rhino import write_3dm
 from qovr_core.files.step import write_step
@@ -189,3 +189,25 @@ def format_for(path: Path) -> Format:
     except KeyError:
         suffix = f"the suffix '{path.suffix}'" if path.suffix else "no suffix"
         raise SourceError(f"{path}: has {suffix}; expected one of {', '.join(FORMATS)}") from None
+
+
+def export(
+    document: Document, path: Path, options: ExportOptions = DEFAULTS, progress: Callable[[float], None] = silent
+) -> None:
+    """Evaluate a document and write it in the format that the path's suffix names, whole or not at all.
+
+    Parameters
+    ----------
+    progress : told the part done, rising from 0, when the surface is known, to 1; what it raises cancels
+
+    Raises
+    ------
+    EvaluationError : the document has no finite surface
+    FileError : the format cannot hold the surface, or the file cannot be written
+    SourceError : no format has this suffix
+    """
+    entry = format_for(path)
+    entry.check(document, path)
+    surface = configure(document)
+    progress(0.0)
+    entry.write(surface, path, progress, options)

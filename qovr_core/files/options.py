@@ -7,8 +7,9 @@ from dataclasses import dataclass
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
-from qovr_core.evaluation import Layer, Surface, default_layer
+from qovr_core.evaluation import Surface
 from qovr_core.geometry.patch import Patch
+from qovr_core.layer import Layer
 
 
 @dataclass(frozen=True)
@@ -17,7 +18,7 @@ class ExportOptions:
 
     Parameters
     ----------
-    layer : the surface that a format for one surface gets; None chooses by ``default_layer``
+    layer : the surface that a format for one surface gets; None takes the one that lies on the net
     tolerance : largest distance between surface and mesh, in the document's unit, positive; None takes the
         document's samples as the mesh's vertices
 
@@ -37,7 +38,7 @@ class ExportOptions:
 
     def chosen_layer(self, document: Document) -> Layer:
         """Return the layer to write."""
-        return self.layer or default_layer(document)
+        return self.layer or document.formulation.resting_layer
 
     def chosen_patch(self, surface: Surface) -> Patch:
         """Return the exact surface to write."""

@@ -11,10 +11,11 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.checks import SAMPLES_RANGE, checked_knot, checked_number, described
-from qovr_core.document import NET_SIZE, Document, Formulation
+from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import DocumentError, FileError
 from qovr_core.files import published_layout as layout
 from qovr_core.files.qovr_document import document_from_json
+from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Knots, knot_array
 
 

@@ -36,15 +36,22 @@ def _table(coefficients: Array, basis_v: Array) -> Array:
 
 
 @cache
+def _threads() -> int:
+    """Return how many threads a grid may use: one a core, or what is allowed to the libraries below NumPy as well."""
+    allowed = os.environ.get("OMP_NUM_THREADS", "")
+    return int(allowed) if allowed.isdecimal() and int(allowed) > 0 else os.cpu_count() or 1
+
+
+@cache
 def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(os.cpu_count() or 1, thread_name_prefix="qovr-grid")
+    return ThreadPoolExecutor(_threads(), thread_name_prefix="qovr-grid")
 
 
 def _over_rows(rows: int, row_bytes: int, work: Callable[[list[slice]], _Partial]) -> list[_Partial]:
     """Run ``work`` on all rows, cut into blocks, in as many threads as the size is worth."""
     step = max(1, BLOCK_BYTES // row_bytes)
     blocks = [slice(k, min(k + step, rows)) for k in range(0, rows, step)]
-    workers = min(os.cpu_count() or 1, len(blocks)) if rows * row_bytes >= THREADED_BYTES else 1
+    workers = min(_threads(), len(blocks)) if rows * row_bytes >= THREADED_BYTES else 1
     if workers == 1:
         return [work(blocks)]
     cuts = [len(blocks) * k // workers for k in range(workers + 1)]

@@ -4,11 +4,50 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 
 import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.checks import checked_knot
+
+KNOT_NAMES = ("r", "s", "u", "t")
+"""The internal knots of a curve in their order everywhere; ``u`` is v_ip on a column curve."""
+
+
+class Direction(StrEnum):
+    """The two families of curves, by the names of their knots in a document."""
+
+    ROWS = "row_knots"
+    COLUMNS = "column_knots"
+
+    @property
+    def letter(self) -> str:
+        """The letter of its curves, C_i or K_j."""
+        return "C" if self is Direction.ROWS else "K"
+
+    @property
+    def parameter(self) -> str:
+        """The letter of the parameter that runs along its curves, C_i(u) or K_j(v)."""
+        return "u" if self is Direction.ROWS else "v"
+
+
+@dataclass(frozen=True, slots=True)
+class KnotPlace:
+    """Where one knot stands: its family of curves, the curve's number, and ``r``, ``s``, ``u`` (v_ip) or ``t``."""
+
+    direction: Direction
+    curve: int
+    name: str
+
+    @property
+    def number(self) -> int:
+        """Its place in ``KNOT_NAMES``."""
+        return KNOT_NAMES.index(self.name)
+
+    def __str__(self) -> str:
+        name = self.direction.parameter if self.name == "u" else self.name
+        return f"{self.direction}[{self.curve}].{name}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,7 +70,7 @@ class Knots:
     t: float = 0.5
 
     def __post_init__(self) -> None:
-        for name in ("r", "s", "u", "t"):
+        for name in KNOT_NAMES:
             object.__setattr__(self, name, checked_knot(getattr(self, name), name))
 
     def __iter__(self) -> Iterator[float]:
@@ -49,5 +88,5 @@ class Knots:
 
 
 def knot_array(knots: Sequence[Knots]) -> Array:
-    """Return the knots of several curves as (k, 4) float64 in the order r, s, u, t."""
+    """Return the knots of several curves as (k, 4) float64 in the order of ``KNOT_NAMES``."""
     return np.array([tuple(curve) for curve in knots], dtype=np.float64)

@@ -9,7 +9,8 @@ from functools import cache
 
 import numpy as np
 
-from qovr_core.document import Document, Formulation
+from qovr_core.document import Document
+from qovr_core.formulations import Formulation
 from qovr_core.laboratory.trials import random_documents
 
 

@@ -6,13 +6,11 @@ import textwrap
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 
-from qovr_core.document import Formulation
+from qovr_core.formulations import FORMULATIONS
 from qovr_core.laboratory.claims import Claim, Finding, Verdict
 
 _WIDTH = 110
 _INDENT = " " * 17
-_NOTED = Formulation.INTERPOLATING
-"""The README tells what is so instead for the surface that the paper's claims describe."""
 
 
 def by_claim(findings: Iterable[Finding]) -> Iterator[tuple[Claim, list[Finding]]]:
@@ -44,12 +42,15 @@ def _details(finding: Finding) -> Iterator[str]:
 
 
 def findings_markdown(findings: Iterable[Finding]) -> str:
-    """Return the table "what the paper says, what is so" for GitHub; a number in brackets is the measured one."""
-    titles = ["the paper says", "where", *(f"`{formulation}`" for formulation in Formulation)]
+    """Return the table "what the paper says, what is so" for GitHub; a number in brackets is the measured one.
+
+    What is so instead stands beside the verdicts on the surface that the paper's claims describe.
+    """
+    titles = ["the paper says", "where", *(f"`{name}`" for name in FORMULATIONS)]
     rows = [titles, ["---"] * len(titles)]
     for claim, of_claim in by_claim(findings):
         cells = {finding.formulation: _cell(finding) for finding in of_claim}
-        rows.append([claim.text, claim.where, *(cells[formulation] for formulation in Formulation)])
+        rows.append([claim.text, claim.where, *(cells[formulation] for formulation in FORMULATIONS.values())])
     return "\n".join(f"| {' | '.join(_escaped(cell) for cell in row)} |" for row in rows)
 
 
@@ -60,8 +61,9 @@ def _cell(finding: Finding) -> str:
     if finding.verdict is Verdict.FALSE:
         failing = finding.largest if finding.here.holds else finding.here.value
         verdict += f" ({failing:.2g})"
-    is_told = finding.formulation is _NOTED and finding.here.note
-    return f"{verdict}; {finding.here.note}" if is_told and (finding.example or finding.counterexample) else verdict
+    has_document = finding.example or finding.counterexample
+    is_noted = finding.formulation.is_as_claimed and finding.here.note and has_document
+    return f"{verdict}; {finding.here.note}" if is_noted else verdict
 
 
 def _escaped(text: str) -> str:

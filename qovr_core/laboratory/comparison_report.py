@@ -8,7 +8,6 @@ from enum import Enum
 from math import degrees, isfinite
 from typing import Any
 
-from qovr_core.evaluation import default_layer
 from qovr_core.geometry.patch import Edge
 from qovr_core.laboratory.comparison import REFERENCE, SHARES, Comparison, ComparisonInput, Measures
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
@@ -148,11 +147,11 @@ def motion_text(of: ComparisonInput) -> str:
 def comparison_text(comparison: Comparison) -> str:
     """Return the table for people, at most 100 columns wide."""
     of, titles = comparison.of, surface_titles()
-    document, size = of.document, of.document.net_size
+    formulation, size = of.document.formulation, of.document.net_size
     widest = max(len(row.label) for row in ROWS)
     lines = [
         motion_text(of),
-        f"QOVR is the {document.formulation} surface, {default_layer(document)}. Lengths are in the net's units.",
+        f"QOVR is the {formulation} surface, {formulation.resting_layer}. Lengths are in the net's units.",
         "Areas move by more than 1 % and 10 % of the largest displacement; jumps are at interior joints.",
         "",
         " " * widest + "".join(f"{titles[name]:>13}" for name in comparison.measures),
@@ -178,7 +177,7 @@ def comparison_facts(comparison: Comparison) -> dict[str, Any]:
     of = comparison.of
     return {
         "formulation": str(of.document.formulation),
-        "layer": str(default_layer(of.document)),
+        "layer": str(of.document.formulation.resting_layer),
         "point": list(of.point),
         "weight": of.weight,
         "net_size": of.document.net_size,

@@ -7,12 +7,12 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.construction import build_patch
 from qovr_core.document import NET_SIZE, Document
-from qovr_core.edits import CURVE_LETTERS, Direction, set_all_knots
-from qovr_core.formulations import build_patch, kernel_decimals
+from qovr_core.edits import CURVE_LETTERS, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels, kernels
-from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.knots import Direction, Knots, knot_array
 from qovr_core.geometry.rounding import ROUNDING, largest
 from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients
 from qovr_core.laboratory.claims import Condition, Measurement
@@ -31,7 +31,7 @@ def inverse(document: Document) -> Measurement:
     """M M^-1 = I for every kernel of the document, (14)-(17), (21), (22)."""
     knots = _knots(document)[:, KERNEL_KNOTS]
     kernel = kernels(knots)
-    inverted = inverse_kernels(knots, decimals=kernel_decimals(document.formulation))
+    inverted = inverse_kernels(knots, decimals=document.formulation.kernel_decimals)
     deviation = largest(kernel @ inverted - np.eye(3))
     condition = float(np.linalg.cond(kernel).max())
     return Measurement(
@@ -52,7 +52,7 @@ def unity(document: Document) -> Measurement:
 
 def _rows_cancel(document: Document) -> bool:
     """Whether the kernels keep what makes the weights sum to 1: [x^2 x 1] M^-1 sums to 1 for every x."""
-    inverted = inverse_kernels(_knots(document)[:, KERNEL_KNOTS], decimals=kernel_decimals(document.formulation))
+    inverted = inverse_kernels(_knots(document)[:, KERNEL_KNOTS], decimals=document.formulation.kernel_decimals)
     return largest(inverted.sum(axis=-1) - [0, 0, 1]) <= ROUNDING * largest(inverted)
 
 
@@ -148,4 +148,4 @@ def _knots(document: Document) -> Array:
 
 def _weights(document: Document) -> Array:
     """Return the weights of the ten curves as the formulation computes them, (10, 7, 5)."""
-    return weight_coefficients(_knots(document), kernel_decimals=kernel_decimals(document.formulation))
+    return weight_coefficients(_knots(document), kernel_decimals=document.formulation.kernel_decimals)

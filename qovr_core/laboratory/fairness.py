@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.construction import build_patch
 from qovr_core.document import Document
-from qovr_core.formulations import build_patch
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.rounding import ROUNDING, largest
 from qovr_core.laboratory.claims import Measurement

@@ -7,15 +7,17 @@ from dataclasses import dataclass
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
+from qovr_core.construction import build_patch
 from qovr_core.document import Document
-from qovr_core.edits import KnotPlace, set_point, set_values, value_at
-from qovr_core.evaluation import Layer, align_patch, parameters
-from qovr_core.formulations import build_patch
+from qovr_core.edits import set_point, set_values, value_at
+from qovr_core.evaluation import align_patch, parameters
 from qovr_core.geometry import bernstein
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.geometry.patch import PATCH_DEGREE, Edge, Patch
 from qovr_core.laboratory.falloff import Falloff, falloff
 from qovr_core.laboratory.levels import area_above
 from qovr_core.laboratory.still_lines import still_lines
+from qovr_core.layer import Layer
 
 SAMPLES = 101
 """Samples along u and v, the paper's; a share of the area is then known to about 0.0002."""

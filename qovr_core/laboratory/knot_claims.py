@@ -8,9 +8,9 @@ from functools import lru_cache
 import numpy as np
 
 from qovr_core.arrays import Array, Flags, Indices
+from qovr_core.construction import build_patch
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_all_knots
-from qovr_core.formulations import build_patch, patch_coefficients
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import align, bounding_box
 from qovr_core.geometry.knots import Knots, knot_array
@@ -134,9 +134,9 @@ def knot_moves(document: Document) -> KnotMoves:
     EvaluationError : the document has no finite surface
     """
     curve, knots = _moved_knots(document)
-    net, formulation = document.control_points, document.formulation
+    net = document.control_points
     before = build_patch(document).coefficients
-    moved = patch_coefficients(net, knots[:, :NET_SIZE], knots[:, NET_SIZE:], formulation)
+    moved = document.formulation.build(net, knots[:, :NET_SIZE], knots[:, NET_SIZE:])
     patches = np.concatenate([before[None], moved])
     noise = ROUNDING * largest(patches)
     boxes = _sampled_boxes(patches)

@@ -8,9 +8,9 @@ from enum import StrEnum
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.construction import build_patch
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import EvaluationError
-from qovr_core.formulations import build_patch
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of

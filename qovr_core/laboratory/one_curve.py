@@ -10,12 +10,11 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import Document
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, knots_of
+from qovr_core.edits import CURVE_LETTERS, PARAMETERS, knots_of
 from qovr_core.errors import EvaluationError
-from qovr_core.formulations import kernel_decimals
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels
-from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.knots import Direction, Knots
 from qovr_core.geometry.weights import CURVE_DEGREE, transformations, weight_coefficients
 
 SAMPLES = read_only(np.linspace(0.0, 1.0, 161))
@@ -177,4 +176,4 @@ def curve_of(document: Document, direction: Direction, number: int) -> OneCurve:
     net = document.control_points
     points = net[number] if direction is Direction.ROWS else net[:, number]
     knots = knots_of(document, direction)[number]
-    return OneCurve(points, knots, kernel_decimals(document.formulation), direction, number)
+    return OneCurve(points, knots, document.formulation.kernel_decimals, direction, number)

@@ -1,19 +1,15 @@
-"""How the surface answers to one knot: the exact derivative dS/dknot, itself a patch."""
+"""How the surface answers to one knot: the derivative dS/dknot, itself a patch."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document, Formulation
-from qovr_core.edits import Direction, KnotPlace, knots_of
-from qovr_core.evaluation import AlignedPatch, Layer, parameters
-from qovr_core.formulations import active_rows
-from qovr_core.geometry.knots import knot_array
+from qovr_core.construction import document_arrays
+from qovr_core.evaluation import AlignedPatch, parameters
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.geometry.patch import Patch
-from qovr_core.geometry.weights import weight_coefficients, weight_slopes
-
-_KNOT_NAMES = "rsut"
+from qovr_core.layer import Layer
 
 _ATTAINED = 1e-12
 """A sample this part of the largest coordinate away from a side of the box touches it: the rest is rounding."""
@@ -26,11 +22,10 @@ _ROWS_AT_A_TIME = 64
 def knot_sensitivity(result: AlignedPatch, place: KnotPlace, layer: Layer) -> Patch:
     """Return dS/dknot as a patch whose points are vectors, in the document's units per unit of the knot.
 
-    Kernels, transformations and, for the interpolating surface, the blends with their mean knots are differentiated
-    analytically. The cut kernels of the published surface are step functions of their knots; there the derivative is
-    that of the same surface with its kernels uncut. For the transformed layer T follows: it depends on the samples
-    at which the raw box is attained. Where several attain it together, its slope is one thing for a rising and another
-    for a falling knot, and the mean of the two is taken. A knot without effect has the derivative zero.
+    The raw surface's is the formulation's own (``Formulation.knot_slope``): exact, but for a record that does not know
+    its slope. For the transformed layer T follows: it depends on the samples at which the raw box is attained. Where
+    several attain it together, its slope is one thing for a rising and another for a falling knot, and the mean of
+    the two is taken. A knot without effect has the derivative zero.
 
     Parameters
     ----------
@@ -38,35 +33,9 @@ def knot_sensitivity(result: AlignedPatch, place: KnotPlace, layer: Layer) -> Pa
     place : the knot
     layer : of which of its two surfaces
     """
-    raw = Patch(_raw_slope(result.document, place))
+    document = result.document
+    raw = Patch(document.formulation.knot_slope(*document_arrays(document), place))
     return raw if layer is Layer.RAW else _transformed_slope(result, raw)
-
-
-def _raw_slope(document: Document, place: KnotPlace) -> Array:
-    """Return the derivative of the raw surface as patch coefficients (7, 7, 3).
-
-    In a product of sums (27) one curve changes; in the Boolean sum so does the blend along it, with its mean knots.
-    The net is turned so that the knot's own family of curves runs along its rows.
-    """
-    is_row = place.direction is Direction.ROWS
-    if is_row and place.curve not in active_rows(document.formulation):
-        return np.zeros((7, 7, 3))
-    net = document.control_points if is_row else document.control_points.transpose(1, 0, 2)
-    other = Direction.COLUMNS if is_row else Direction.ROWS
-    own_knots, other_knots = (knot_array(knots_of(document, family)) for family in (place.direction, other))
-    knot = _KNOT_NAMES.index(place.name)
-    curve_slope = weight_slopes(own_knots[place.curve])[knot] @ net[place.curve]
-    across = weight_coefficients(other_knots) @ net.transpose(1, 0, 2)
-    if document.formulation is Formulation.INTERPOLATING:
-        blend_slope = weight_slopes(own_knots.mean(axis=0))[knot] / NET_SIZE
-        blend_across = weight_coefficients(other_knots.mean(axis=0))
-        beyond_the_net = across - blend_across @ net.transpose(1, 0, 2)
-        slope = np.tensordot(blend_slope, beyond_the_net, axes=1)
-        slope += curve_slope[:, None] * blend_across[None, :, place.curve, None]
-    else:
-        entering = list(range(NET_SIZE) if is_row else active_rows(document.formulation))
-        slope = curve_slope[:, None] * across[entering].sum(axis=0)
-    return slope if is_row else slope.transpose(1, 0, 2)
 
 
 def _transformed_slope(result: AlignedPatch, raw: Patch) -> Patch:

@@ -7,13 +7,13 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.construction import build_patch, document_arrays
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_all_knots, set_points
 from qovr_core.evaluation import align_patch, parameters
-from qovr_core.formulations import build_patch, patch_coefficients
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import bounding_box
-from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.knots import Knots
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.claims import Condition, Measurement
@@ -71,8 +71,8 @@ def point_displacements(document: Document) -> Array:
     step = POINT_STEP * (document.net_size or 1.0) / np.sqrt(3)
     nets = np.repeat(net[None], NET_SIZE**2, axis=0)
     nets[range(NET_SIZE**2), *np.divmod(np.arange(NET_SIZE**2), NET_SIZE)] += step
-    rows, columns = knot_array(document.row_knots), knot_array(document.column_knots)
-    motion = patch_coefficients(nets, rows, columns, document.formulation) - build_patch(document).coefficients
+    _, rows, columns = document_arrays(document)
+    motion = document.formulation.build(nets, rows, columns) - build_patch(document).coefficients
     basis = bernstein.basis(PATCH_DEGREE, _GRID)
     lengths: Array = np.linalg.norm(np.einsum("ua,vb,kabd->kuvd", basis, basis, motion, optimize=True), axis=-1)
     return lengths

@@ -6,7 +6,8 @@ from functools import cache
 
 import numpy as np
 
-from qovr_core.document import NET_SIZE, Document, Formulation
+from qovr_core.document import NET_SIZE, Document
+from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Knots
 
 TRIAL_SEED = 20

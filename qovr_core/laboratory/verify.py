@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from qovr_core.document import Document, Formulation
+from qovr_core.document import Document
+from qovr_core.formulations import FORMULATIONS
 from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
 from qovr_core.laboratory.claims import Claim, Finding, decide_steps
 
@@ -114,5 +115,5 @@ def verify(document: Document) -> tuple[Finding, ...]:
 def verify_steps(document: Document) -> Iterator[Finding | None]:
     """Decide as ``verify`` does, in small pieces: yield None after each, and every finding as it is known."""
     for claim in CLAIMS:
-        for formulation in Formulation:
+        for formulation in FORMULATIONS.values():
             yield from decide_steps(claim, document, formulation)

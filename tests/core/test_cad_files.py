@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_core import Edge, FileError, Formulation, Patch, configure
-from qovr_core.evaluation import Layer
+from qovr_core import FORMULATIONS, Edge, FileError, Formulation, Patch, configure
 from qovr_core.files import FORMATS, ExportOptions, bspline, format_for, read_source, step
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json
+from qovr_core.layer import Layer
 from qovr_core.presets import preset
 from support.documents import random_document
 from support.iges_reader import IgesFile
@@ -59,7 +59,7 @@ def test_the_surface_reads_back_exactly(suffix, degree, size, tmp_path):
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-@pytest.mark.parametrize("formulation", Formulation)
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 @pytest.mark.parametrize("layer", Layer)
 def test_the_chosen_layer_is_written(suffix, formulation, layer, tmp_path):
     surface = configure(random_document(22, formulation, low=0.2, high=0.8))

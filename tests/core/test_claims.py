@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import Document, Edge, Formulation, Knots, Patch, align_patch, build_patch, edits
+from qovr_core import FORMULATIONS, Document, Edge, Formulation, Knots, Patch, align_patch, build_patch, edits
 from qovr_core.edits import Direction, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import weight_coefficients
@@ -103,7 +103,7 @@ def test_the_steps_are_small_and_come_to_the_same():
     document = random_document(5)
     steps = list(verify_steps(document))
     findings = [step for step in steps if step is not None]
-    assert len(findings) == len(CLAIMS) * len(Formulation)
+    assert len(findings) == len(CLAIMS) * len(FORMULATIONS)
     assert len(steps) > 3 * len(findings)
     assert [finding.verdict for finding in findings] == [finding.verdict for finding in verify(document)]
 
@@ -266,7 +266,7 @@ def test_a_net_without_a_jump_of_the_second_derivative_is_found():
 # --- knots and edges --------------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("formulation", Formulation)
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_the_moves_of_knots_are_those_of_edited_documents(formulation):
     document = random_document(8, formulation, low=0.2, high=0.8)
     moves = knot_claims.knot_moves(document)
@@ -320,7 +320,7 @@ def test_an_exponential_is_recognised():
     assert shape_claims.misfit_of_exponential(np.maximum(1 - 4 * distance**2, 0)) >= shape_claims.FITS
 
 
-@pytest.mark.parametrize("formulation", Formulation)
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_symmetric_nets_are_symmetric(formulation):
     made = shape_claims.symmetric_documents(random_document(10, formulation))
     mirrored = made["mirror in u"].control_points
@@ -339,7 +339,7 @@ def test_the_published_surface_is_symmetric_exactly_where_row_4_is():
 
 def test_half_a_turn_in_space_is_kept_by_the_interpolating_surface_alone():
     u, v = np.linspace(0, 1, 7), np.linspace(0, 1, 5)
-    for formulation in Formulation:
+    for formulation in FORMULATIONS.values():
         measured = shape_claims.symmetry(random_document(12, formulation))
         assert (measured.example is None) == (formulation is INTERPOLATING)
     example = shape_claims.symmetry(random_document(12, DOUBLE_SUM)).example
@@ -393,7 +393,7 @@ def test_waves_are_counted(height, changes):
 def test_fairness_is_decided_by_the_document_against_catmull_rom(seed):
     document = random_document(seed)
     others = fairness.sign_changes(catmull_rom(document.control_points))
-    for formulation in Formulation:
+    for formulation in FORMULATIONS.values():
         finding = decide(CLAIM["fairness"], document, formulation)
         own = fairness.sign_changes(build_patch(replace(document, formulation=formulation)))
         assert finding.here.value == own

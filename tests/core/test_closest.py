@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from qovr_core import Formulation, Layer, Patch, align_patch
+from qovr_core import FORMULATIONS, Layer, Patch, align_patch
 from qovr_core.geometry.closest import closest_points
 from support.documents import random_document, size
 from support.shapes import CLOSED, COLLAPSED, special
@@ -52,7 +52,7 @@ def test_points_beyond_the_border_of_a_sphere_come_to_its_border():
 def patches(low):
     """Yield surfaces of all formulations; the further from 0.5 the knots, the more they fold."""
     for seed in range(12):
-        document = random_document(seed, list(Formulation)[seed % 3], low=low, high=1 - low)
+        document = random_document(seed, list(FORMULATIONS.values())[seed % 3], low=low, high=1 - low)
         yield seed, align_patch(document).layer_patch(Layer.TRANSFORMED)
 
 

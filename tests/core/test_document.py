@@ -92,7 +92,7 @@ def test_edits_make_a_new_document_and_leave_the_old():
     assert one.column_knots[:2] + one.column_knots[3:] == document.column_knots[:2] + document.column_knots[3:]
     linked = edits.set_knot(document, Direction.ROWS, "t", 0.75)
     assert [k.t for k in linked.row_knots] == [0.75] * 5
-    assert edits.set_formulation(document, Formulation.DOUBLE_SUM).formulation == "double-sum"
+    assert edits.set_formulation(document, Formulation.DOUBLE_SUM).formulation is Formulation.DOUBLE_SUM
     assert edits.set_samples(document, (3, 4)).samples == (3, 4)
     assert edits.set_points(document, NET * 2).control_points.tolist() == (NET * 2).tolist()
     assert document == copy

@@ -8,7 +8,7 @@ import openpyxl
 import pytest
 from hypothesis import HealthCheck, given, settings
 
-from qovr_core import FileError, SourceError, configure
+from qovr_core import FileError, Formulation, SourceError, configure
 from qovr_core.files import FORMATS, format_for, published_layout, read_source
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json, document_to_json
@@ -218,7 +218,7 @@ def test_a_foreign_workbook_is_square_and_published(tmp_path):
     book.save(path)
     document = read_workbook(path)
     assert document.samples == (6, 6)
-    assert document.formulation == "published"
+    assert document.formulation is Formulation.PUBLISHED
 
 
 def test_a_foreign_workbook_whose_points_make_no_square(tmp_path):

@@ -7,7 +7,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from qovr_core import Document, Edge, EvaluationError, Formulation, Knots, build_patch, curve_network, edits
+from qovr_core import (
+    FORMULATIONS,
+    Document,
+    Edge,
+    EvaluationError,
+    Formulation,
+    Knots,
+    build_patch,
+    curve_network,
+    edits,
+)
 from qovr_core.edits import Direction
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import weight_coefficients
@@ -137,7 +147,7 @@ def test_degree_is_6_where_one_curve_that_counts_has_other_s_than_u():
     quartic, sextic = Knots(0.3, 0.4, 0.4, 0.7), Knots(0.3, 0.4, 0.5, 0.7)
     rows = (quartic, sextic, quartic, quartic, quartic)
     for formulation, degree in {"published": (4, 4), "double-sum": (6, 4), "interpolating": (6, 4)}.items():
-        patch = build_patch(Document(net, rows, (quartic,) * 5, Formulation(formulation)))
+        patch = build_patch(Document(net, rows, (quartic,) * 5, FORMULATIONS[formulation]))
         assert patch.degree == degree
         for axis, true_degree in enumerate(degree):
             highest = np.abs(np.diff(patch.coefficients, n=6, axis=axis)).max()

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from qovr_core import Document, DocumentError, Edge, Formulation, Knots, Layer, configure
+from qovr_core import FORMULATIONS, Document, DocumentError, Edge, Formulation, Knots, Layer, configure
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import weight_coefficients
@@ -218,7 +218,7 @@ def test_no_other_exponential_is_nearer_and_no_sample_lies_above_the_envelope(do
             assert misfit(best.amplitude * a, best.length * b) >= best.misfit * (1 - 1e-9)
 
 
-@pytest.mark.parametrize("formulation", Formulation)
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 @pytest.mark.parametrize(("i", "j"), [(2, 2), (1, 2), (0, 0), (4, 3)])
 def test_the_displacement_is_not_exponential(formulation, i, j):
     document = random_document(3, formulation, low=0.3, high=0.7)

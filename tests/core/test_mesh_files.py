@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import trimesh
 
-from qovr_core import Formulation, Patch, configure
+from qovr_core import FORMULATIONS, Formulation, Patch, configure
+from qovr_core.colours import height_colours, linear
 from qovr_core.errors import FileError
 from qovr_core.files import ExportOptions, format_for, stl, tessellation
-from qovr_core.files.colours import height_colours, linear
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json
 from support.documents import random_document
@@ -64,7 +64,7 @@ def expected_triangles(points):
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
 @pytest.mark.parametrize("reader", [triangles_by_trimesh, triangles_by_another])
-@pytest.mark.parametrize("formulation", Formulation)
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_every_triangle_reads_back(suffix, reader, formulation, tmp_path):
     surface = configure(random_document(41, formulation, low=0.2, high=0.8, samples=(13, 8)))
     points = surface.raw if formulation is Formulation.INTERPOLATING else surface.transformed

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from qovr_core import Document, EvaluationError, Formulation, Knots, curve_network
+from qovr_core import FORMULATIONS, Document, EvaluationError, Formulation, Knots, curve_network
 from qovr_core.edits import Direction
 from qovr_core.laboratory.one_curve import OneCurve, curve_of
 from qovr_core.laboratory.planes import View, plane_of
@@ -36,7 +36,7 @@ def test_it_is_the_curve_of_the_network_and_the_blend_of_its_parabolas(document,
     assert curve.at(U) == pytest.approx(curve.weights(U) @ curve.points, abs=tolerance)
 
 
-@pytest.mark.parametrize("formulation", Formulation)
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_it_is_the_curve_of_algorithm_1(formulation):
     document = random_document(11, formulation, low=0.2, high=0.8)
     cut = formulation is Formulation.PUBLISHED

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import Document, Formulation, align_patch, configure, edits
+from qovr_core import FORMULATIONS, Document, Formulation, align_patch, configure, edits
 from qovr_core.geometry.alignment import align
 from qovr_core.presets import preset
 from support.documents import documents, random_document, random_net
@@ -79,7 +79,7 @@ def test_results_are_float64_read_only_and_the_same_again():
         assert np.array_equal(array, getattr(second, name))
 
 
-@pytest.mark.parametrize("formulation", list(Formulation))
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_a_flat_net_keeps_its_height(formulation):
     net = random_net(6)
     net[..., 2] = 0.1 + 0.2
@@ -104,7 +104,7 @@ def test_a_net_drawn_together_into_one_point():
 
 
 @pytest.mark.parametrize("samples", [(7, 5), (1200, 150), (101, 101)])
-@pytest.mark.parametrize("formulation", list(Formulation))
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_the_aligned_patch_is_that_of_the_whole_pipeline(formulation, samples):
     document = random_document(9, formulation, samples)
     whole, light = configure(document), align_patch(document)

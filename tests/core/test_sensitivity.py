@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from qovr_core import Formulation, Layer, align_patch, configure, edits, formulations
+from qovr_core import FORMULATIONS, Formulation, Layer, align_patch, configure, edits, formulations
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.geometry.kernels import inverse_kernel_slopes, inverse_kernels
 from qovr_core.geometry.weights import weight_coefficients, weight_slopes
@@ -58,7 +58,7 @@ def test_slopes_of_many_curves_at_once():
 
 
 @pytest.mark.parametrize("layer", list(Layer))
-@pytest.mark.parametrize("formulation", list(Formulation))
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_every_knot_against_central_differences(uncut, formulation, layer):
     document = random_document(11, formulation, samples=(9, 14), low=0.25, high=0.75)
     result = configure(document)
@@ -108,7 +108,7 @@ def test_where_two_samples_attain_the_box_the_slope_is_the_mean_of_both_sides(un
     assert slope == pytest.approx(difference(document, place, Layer.TRANSFORMED), abs=1e-5)
 
 
-@pytest.mark.parametrize("formulation", list(Formulation))
+@pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_a_flat_axis_only_moves(uncut, formulation):
     net = random_document(13).control_points.copy()
     net[..., 2] = 0.3

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from qovr_core import Formulation
+from qovr_core import FORMULATIONS
 from qovr_core.files import read_document, write_document
 from qovr_core.files.qovr_document import document_from_json
 from qovr_core.laboratory.claims import Verdict
@@ -40,14 +40,14 @@ def test_json_holds_every_claim_and_formulation(paper):
     assert paper["source"] == "paper:fig6b"
     assert [claim["id"] for claim in paper["claims"]] == [claim.id for claim in CLAIMS]
     for claim in paper["claims"]:
-        assert list(claim["formulations"]) == [str(formulation) for formulation in Formulation]
+        assert list(claim["formulations"]) == [str(formulation) for formulation in FORMULATIONS.values()]
         for formulation, finding in claim["formulations"].items():
             assert finding["verdict"] in list(Verdict)
             assert math.isfinite(finding["value"])
             assert (finding["counterexample"] is not None) == (finding["verdict"] == "false")
             for document in (finding["counterexample"], finding["example"]):
                 if document is not None:
-                    assert document_from_json(json.dumps(document)).formulation == formulation
+                    assert document_from_json(json.dumps(document)).formulation.name == formulation
 
 
 def test_a_preset_takes_less_than_two_seconds():
@@ -89,7 +89,7 @@ def test_counterexamples_are_documents_that_fail_their_claim(tmp_path):
             r"(.+?)-(published|double-sum|interpolating)-(counterexample|example)\.qovr", name
         ).groups()
         document = read_document(tmp_path / "found/here" / name)
-        assert document.formulation == formulation
+        assert document.formulation.name == formulation
         if kind == "counterexample":
             assert not measured[claim](document).holds
 

@@ -3,12 +3,12 @@
 import numpy as np
 from hypothesis import strategies as st
 
-from qovr_core import Document, Formulation, Knots
+from qovr_core import FORMULATIONS, Document, Formulation, Knots
 
 knot_values = st.floats(0.05, 0.95)
 knots = st.builds(Knots, knot_values, knot_values, knot_values, knot_values)
 curves = st.tuples(*[knots] * 5)
-formulations = st.sampled_from(list(Formulation))
+formulations = st.sampled_from(list(FORMULATIONS.values()))
 seeds = st.integers(0, 2**32 - 1)
 
 

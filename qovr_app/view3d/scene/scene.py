@@ -14,9 +14,9 @@ from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
 from qovr_core.edits import KnotPlace
-from qovr_core.evaluation import Layer as SurfaceLayer
 from qovr_core.evaluation import parameters
 from qovr_core.fields import Field, Need, field_values
+from qovr_core.layer import Layer as SurfaceLayer
 
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""

@@ -8,7 +8,6 @@ from qovr_app.state.display import DisplaySettings, Layer
 from qovr_app.view3d.scene.comparison import Rival, RivalSurface, face_rival
 from qovr_app.view3d.scene.frame import Frame
 from qovr_app.view3d.scene.scene import Companions, Result, Scene, make_scene, scene_frame
-from qovr_core.evaluation import default_layer
 
 
 def shown_layers(settings: DisplaySettings) -> tuple[Layer, ...]:
@@ -76,7 +75,7 @@ class Stage:
         """Put the rival beside or over the layer that lies on the control net, or the only one."""
         self._scenes = list(self._own.values())
         if self._facing is not None and self._own:
-            layer = Layer(default_layer(self._result.document).value)
+            layer = Layer(self._result.document.formulation.resting_layer.value)
             own = self._own.get(layer, self._scenes[-1])
             number = self._scenes.index(own)
             scenes = face_rival(own, self._facing)

@@ -10,7 +10,7 @@ from qovr_app.laboratory import claims_panel
 from qovr_app.laboratory.claims_panel import ClaimsPanel
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
 from qovr_app.laboratory.idle_work import QUIET_MILLISECONDS
-from qovr_core import Formulation
+from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
 
 STEPS_BETWEEN = 3
@@ -51,7 +51,7 @@ def state(lab):
 
 def select(lab, claim, formulation):
     row = [entry.id for entry in CLAIMS].index(claim)
-    table(lab).setCurrentCell(row, 1 + list(Formulation).index(formulation))
+    table(lab).setCurrentCell(row, 1 + list(FORMULATIONS.values()).index(formulation))
     lab.settle()
 
 
@@ -60,7 +60,7 @@ def shown(lab):
     return {
         (claim.id, formulation): table(lab).item(row, column).data(Qt.ItemDataRole.AccessibleTextRole)
         for row, claim in enumerate(CLAIMS)
-        for column, formulation in enumerate(Formulation, start=1)
+        for column, formulation in enumerate(FORMULATIONS.values(), start=1)
     }
 
 
@@ -87,7 +87,7 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
         spoken = cells[finding.claim.id, finding.formulation]
         assert f": {finding.verdict}" in spoken
         assert spoken.endswith("it holds" if finding.here.holds else "it fails")
-        item = table(lab).item(CLAIMS.index(finding.claim), 1 + list(Formulation).index(finding.formulation))
+        item = table(lab).item(CLAIMS.index(finding.claim), 1 + list(FORMULATIONS.values()).index(finding.formulation))
         lines = [item.data(Qt.ItemDataRole.UserRole + k) for k in range(2)]
         assert lines[0] == f"{MARKS[finding.verdict]} {finding.verdict}"
         assert lines[1].startswith("here holds" if finding.here.holds else "here fails")

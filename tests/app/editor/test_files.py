@@ -1,6 +1,7 @@
 """Open, save, recent, drop, export and figures, as a user meets them."""
 
 import json
+import os
 
 import numpy as np
 import pytest
@@ -270,3 +271,21 @@ def test_choices_of_a_mesh_are_taken_and_checked(editor, home):
     wait_until((home / "mesh.ply").is_file)
     wait_until(lambda: "mesh.ply" in editor.message())
     assert (home / "mesh.ply").stat().st_size < 101 * 101 * 12
+
+
+def test_who_becomes_the_owner_of_a_file_is_told(editor, home, names, monkeypatch):
+    path = home / "somebody_s.qovr"
+    write_document(editor.document, path)
+    try:
+        os.chown(path, 12345, 12345)
+    except OSError:
+        pytest.skip("only root can give a file away")
+
+    def refuse(*_):
+        raise PermissionError
+
+    monkeypatch.setattr(os, "chown", refuse)
+    names.append(path)
+    editor.trigger("save_as")
+    assert "belongs to you now" in editor.message()
+    assert path.stat().st_uid == os.geteuid()

@@ -16,9 +16,9 @@ from qovr_app.view3d.scene.mesh import surface_vertices
 from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
-from qovr_core.evaluation import Layer as SurfaceLayer
 from qovr_core.fields import Field
 from qovr_core.laboratory.sensitivity import knot_sensitivity
+from qovr_core.layer import Layer as SurfaceLayer
 from qovr_core.presets import preset
 
 SIZE = (800.0, 600.0)

@@ -1,0 +1,77 @@
+"""From a document to what is exact about it: its ten curves, and its surface as one polynomial patch."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from qovr_core.arrays import Array
+from qovr_core.document import Document
+from qovr_core.edits import knots_of
+from qovr_core.errors import EvaluationError
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, knot_array
+from qovr_core.geometry.network import network_curves
+from qovr_core.geometry.patch import Patch
+from qovr_core.geometry.weights import CURVE_DEGREE
+
+
+@dataclass(frozen=True)
+class CurveNetwork:
+    """The ten curves of a document as Bernstein coefficients.
+
+    ``rows[i]`` is C_i(u) of (42) and ``columns[j]`` is K_j(v) of (43), each (7, 3).
+    """
+
+    rows: Array
+    columns: Array
+
+
+def document_arrays(document: Document) -> tuple[Array, Array, Array]:
+    """Return the net (5, 5, 3), the row knots (5, 4) and the column knots (5, 4) of a document."""
+    return document.control_points, knot_array(document.row_knots), knot_array(document.column_knots)
+
+
+def curve_network(document: Document) -> CurveNetwork:
+    """Return the curves C_i(u) and K_j(v) of (42) and (43), as the formulation computes them."""
+    rows, columns = network_curves(*document_arrays(document), document.formulation.kernel_decimals)
+    return CurveNetwork(rows, columns)
+
+
+def build_patch(document: Document) -> Patch:
+    """Return the raw surface of a document as one polynomial patch.
+
+    Raises
+    ------
+    EvaluationError : a knot so close to 0 or 1, or points so large, that coordinates overflow
+    """
+    with np.errstate(all="ignore"):  # what overflows is refused just below, in words
+        coefficients = document.formulation.build(*document_arrays(document))
+    if not np.isfinite(coefficients).all():
+        raise EvaluationError(_overflow_text(document))
+    along_u, along_v = (_degree(document, direction) for direction in Direction)
+    return Patch(coefficients, (along_u, along_v))
+
+
+def _degree(document: Document, direction: Direction) -> int:
+    """Return the degree along the curves of a direction: 4 where s_ip = u_ip on every one that counts, else 6."""
+    counting = (
+        knots
+        for curve, knots in enumerate(knots_of(document, direction))
+        if document.formulation.is_active(direction, curve)
+    )
+    return 4 if all(knots.is_quartic for knots in counting) else CURVE_DEGREE
+
+
+def _overflow_text(document: Document) -> str:
+    """Name the knot nearest to an end of (0, 1), which is what makes coordinates overflow."""
+    margin, place, value = min(
+        (min(value, 1 - value), str(KnotPlace(direction, curve, name)), value)
+        for direction in Direction
+        for curve, knots in enumerate(knots_of(document, direction))
+        for name, value in zip(KNOT_NAMES, knots, strict=True)
+    )
+    return (
+        f"the surface has no finite coordinates: {place} = {value!r} is only {margin:.3g} away from an end of (0, 1); "
+        "expected knots, and coordinates, of ordinary size"
+    )

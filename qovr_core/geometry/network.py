@@ -1,0 +1,102 @@
+"""The ten curves of a net, the two ways in which they become one surface, and how both answer to one knot."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from qovr_core.arrays import Array
+from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.weights import weight_coefficients, weight_slopes
+
+
+def network_curves(
+    net: Array, row_knots: Array, column_knots: Array, kernel_decimals: int | None = None
+) -> tuple[Array, Array]:
+    """Return the curves C_i(u) of (42) and K_j(v) of (43) of many nets at once, (..., k, 7, 3) and (..., l, 7, 3).
+
+    Parameters
+    ----------
+    net : (..., k, l, 3) control points
+    row_knots, column_knots : (..., k, 4) and (..., l, 4) knots r, s, u, t; the leading axes of both are the same, and
+        broadcastable with those of ``net``
+    kernel_decimals : to how many decimals the inverse kernels are cut; None keeps them exact
+    """
+    rows = row_knots.shape[-2]
+    knots = np.concatenate([row_knots, column_knots], axis=-2)
+    weights = weight_coefficients(knots, kernel_decimals=kernel_decimals)
+    curves = weights @ np.concatenate([net, net.swapaxes(-2, -3)], axis=-3)
+    return curves[..., :rows, :, :], curves[..., rows:, :, :]
+
+
+def product_surface(along_u: Array, along_v: Array) -> Array:
+    """Return the component-wise product of two curves (..., 7, 3) as patch coefficients (..., 7, 7, 3), (27)."""
+    return along_u[..., :, None, :] * along_v[..., None, :, :]
+
+
+def boolean_sum(net: Array, row_knots: Array, column_knots: Array) -> Array:
+    """Return the Boolean-sum (Gordon) surface of the curve network, blended with the weights of the mean knots.
+
+    Parameters are those of ``network_curves``; the result is (..., 7, 7, 3).
+    """
+    rows, columns = network_curves(net, row_knots, column_knots)
+    means = np.stack([row_knots.mean(axis=-2), column_knots.mean(axis=-2)])
+    along_u, along_v = weight_coefficients(means)
+    # Rows and points are blended by the same weights along v, so their difference is blended once.
+    beyond_the_net = rows - along_u[..., None, :, :] @ net
+    return _blend(along_u, columns) + _blend(along_v, beyond_the_net).swapaxes(-2, -3)
+
+
+def _blend(weights: Array, curves: Array) -> Array:
+    """Return sum_k weights[a, k] curves[k, b, :], (..., 7, 7, 3), of (..., 7, 5) and (..., 5, 7, 3)."""
+    blended = weights @ curves.reshape(*curves.shape[:-2], -1)
+    return blended.reshape(*blended.shape[:-1], *curves.shape[-2:])
+
+
+def product_slope(
+    net: Array,
+    row_knots: Array,
+    column_knots: Array,
+    place: KnotPlace,
+    *,
+    entering_rows: slice = slice(None),
+) -> Array:
+    """Return the derivative of a product of sums of curves, kernels uncut, with respect to one knot, (7, 7, 3).
+
+    Parameters
+    ----------
+    net, row_knots, column_knots : (k, l, 3), (k, 4) and (l, 4)
+    place : which knot
+    entering_rows : the row curves that enter the sum; of the column curves all do
+    """
+    net, own, other = _turned(net, row_knots, column_knots, place.direction)
+    entering = slice(None) if place.direction is Direction.ROWS else entering_rows
+    curve_slope = weight_slopes(own[place.curve])[place.number] @ net[place.curve]
+    across = weight_coefficients(other) @ net.transpose(1, 0, 2)
+    return _turned_back(curve_slope[:, None] * across[entering].sum(axis=0), place.direction)
+
+
+def boolean_sum_slope(net: Array, row_knots: Array, column_knots: Array, place: KnotPlace) -> Array:
+    """Return the derivative of ``boolean_sum`` with respect to one knot, (7, 7, 3): a curve and a blend change.
+
+    Parameters are those of ``product_slope``.
+    """
+    net, own, other = _turned(net, row_knots, column_knots, place.direction)
+    curve_slope = weight_slopes(own[place.curve])[place.number] @ net[place.curve]
+    across = weight_coefficients(other) @ net.transpose(1, 0, 2)
+    blend_slope = weight_slopes(own.mean(axis=0))[place.number] / len(own)
+    blend_across = weight_coefficients(other.mean(axis=0))
+    beyond_the_net = across - blend_across @ net.transpose(1, 0, 2)
+    slope = np.tensordot(blend_slope, beyond_the_net, axes=1)
+    slope += curve_slope[:, None] * blend_across[None, :, place.curve, None]
+    return _turned_back(slope, place.direction)
+
+
+def _turned(net: Array, row_knots: Array, column_knots: Array, direction: Direction) -> tuple[Array, Array, Array]:
+    """Return the net with one family of curves along its rows, that family's knots, and the other's."""
+    if direction is Direction.ROWS:
+        return net, row_knots, column_knots
+    return net.transpose(1, 0, 2), column_knots, row_knots
+
+
+def _turned_back(slope: Array, direction: Direction) -> Array:
+    return slope if direction is Direction.ROWS else slope.transpose(1, 0, 2)
