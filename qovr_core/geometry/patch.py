@@ -18,6 +18,8 @@ PATCH_DEGREE = 6
 _SINGULAR = 1e-12
 """|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
 
+_NO_JOINTS = read_only(np.empty(0))
+
 
 class Edge(StrEnum):
     """The four edges of a patch."""
@@ -40,6 +42,17 @@ class Patch:
     Raises
     ------
     ValueError : the coefficients have another shape
+
+    Examples
+    --------
+    >>> u, v = np.mgrid[0:1:7j, 0:1:7j]
+    >>> plane = Patch(np.stack([u, v, 2 * u], axis=-1))
+    >>> plane.points([0.5], [0.25])
+    array([[[0.5 , 0.25, 1.  ]]])
+    >>> plane.bounding_box()
+    array([[0., 1.],
+           [0., 1.],
+           [0., 2.]])
     """
 
     coefficients: Array
@@ -50,6 +63,11 @@ class Patch:
         if coefficients.shape != (PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3):
             raise ValueError(f"patch coefficients have shape {coefficients.shape}; expected (7, 7, 3)")
         object.__setattr__(self, "coefficients", read_only(coefficients))
+
+    @property
+    def breaks(self) -> tuple[Array, Array]:
+        """The joints inside (0, 1) in u and in v; one polynomial has none."""
+        return _NO_JOINTS, _NO_JOINTS
 
     def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the points S(u, v) on a grid.
