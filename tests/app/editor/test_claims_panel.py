@@ -11,7 +11,8 @@ from qovr_app.laboratory.claims_panel import ClaimsPanel
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
 from qovr_app.laboratory.idle_work import QUIET_MILLISECONDS
 from qovr_core import FORMULATIONS, Formulation
-from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
+from qovr_core.laboratory.claims import CLAIMS
+from qovr_core.laboratory.verify import decide, verify
 
 STEPS_BETWEEN = 3
 """An edit is seen after so many turns of the event loop at most, each of which may take one small step."""
@@ -22,12 +23,11 @@ def steps(monkeypatch):
     """How many steps of looking for verdicts have been taken."""
     taken = []
 
-    def counted(document):
-        for step in verify_steps(document):
-            taken.append(step)
-            yield step
+    def counted(claim, document, formulation):
+        taken.append(decide(claim, document, formulation))
+        return taken[-1]
 
-    monkeypatch.setattr(claims_panel, "verify_steps", counted)
+    monkeypatch.setattr(claims_panel, "decide", counted)
     return taken
 
 
@@ -50,7 +50,7 @@ def state(lab):
 
 
 def select(lab, claim, formulation):
-    row = [entry.id for entry in CLAIMS].index(claim)
+    row = list(CLAIMS).index(claim)
     table(lab).setCurrentCell(row, 1 + list(FORMULATIONS.values()).index(formulation))
     lab.settle()
 
@@ -58,7 +58,7 @@ def select(lab, claim, formulation):
 def shown(lab):
     """Return what every cell says, by claim and formulation."""
     return {
-        (claim.id, formulation): table(lab).item(row, column).data(Qt.ItemDataRole.AccessibleTextRole)
+        (claim.name, formulation): table(lab).item(row, column).data(Qt.ItemDataRole.AccessibleTextRole)
         for row, claim in enumerate(CLAIMS)
         for column, formulation in enumerate(FORMULATIONS.values(), start=1)
     }
@@ -84,7 +84,7 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
     spin(lambda: panel(lab).is_current)
     cells = shown(lab)
     for finding in verify(lab.document):
-        spoken = cells[finding.claim.id, finding.formulation]
+        spoken = cells[finding.claim.name, finding.formulation]
         assert f": {finding.verdict}" in spoken
         assert spoken.endswith("it holds" if finding.here.holds else "it fails")
         item = table(lab).item(CLAIMS.index(finding.claim), 1 + list(FORMULATIONS.values()).index(finding.formulation))
@@ -112,7 +112,7 @@ def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, sp
         assert len(steps) == stopped
         assert "grey" in state(lab)
     spin(lambda: panel(lab).is_current)
-    findings = {(finding.claim.id, finding.formulation): finding for finding in verify(lab.document)}
+    findings = {(finding.claim.name, finding.formulation): finding for finding in verify(lab.document)}
     for key, spoken in shown(lab).items():
         assert spoken.endswith("it holds" if findings[key].here.holds else "it fails")
 
@@ -174,7 +174,7 @@ def test_everything_can_be_done_by_keyboard(lab, spin):
     assert "holds on everything" in lab.message()
     lab.key(Qt.Key.Key_Down, widget=table(lab))
     finding = table(lab).current_finding()
-    assert (finding.claim.id, finding.formulation) == ("C2", Formulation.INTERPOLATING)
+    assert (finding.claim.name, finding.formulation) == ("C2", Formulation.INTERPOLATING)
     lab.key(Qt.Key.Key_Return, widget=table(lab))
     assert lab.document == finding.example
     assert lab.window.windowTitle().startswith("Example to C2, interpolating")
