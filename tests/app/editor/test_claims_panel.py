@@ -59,7 +59,7 @@ def shown(lab):
     """Return what every cell says, by claim and formulation."""
     return {
         (claim.name, formulation): table(lab).item(row, column).data(Qt.ItemDataRole.AccessibleTextRole)
-        for row, claim in enumerate(CLAIMS)
+        for row, claim in enumerate(CLAIMS.values())
         for column, formulation in enumerate(FORMULATIONS.values(), start=1)
     }
 
@@ -87,7 +87,9 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
         spoken = cells[finding.claim.name, finding.formulation]
         assert f": {finding.verdict}" in spoken
         assert spoken.endswith("it holds" if finding.here.holds else "it fails")
-        item = table(lab).item(CLAIMS.index(finding.claim), 1 + list(FORMULATIONS.values()).index(finding.formulation))
+        item = table(lab).item(
+            list(CLAIMS).index(finding.claim.name), 1 + list(FORMULATIONS.values()).index(finding.formulation)
+        )
         lines = [item.data(Qt.ItemDataRole.UserRole + k) for k in range(2)]
         assert lines[0] == f"{MARKS[finding.verdict]} {finding.verdict}"
         assert lines[1].startswith("here holds" if finding.here.holds else "here fails")
