@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowse
 
 from qovr_app.laboratory import claims_panel
 from qovr_app.laboratory.claims_panel import ClaimsPanel
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
 from qovr_app.laboratory.idle_work import QUIET_MILLISECONDS
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS
@@ -189,11 +189,3 @@ def test_a_claim_s_own_cell_stands_for_the_document_s_formulation(lab, spin):
     text = lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
     assert text.startswith("C0, Lemma 1, (45)")
     assert "For published: ✗ false" in text
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [(0.0, "0"), (0.0634, "0.063"), (2.42e-5, "2e−5"), (4.44e-16, "4e−16"), (6.0, "6"), (106, "106"), (2e7, "2e7")],
-)
-def test_numbers_are_short(value, text):
-    assert number(value) == text
