@@ -9,9 +9,10 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from qovr_app.laboratory.wording import motion_text
 from qovr_app.state.display import ColourMap, ThemeName
+from qovr_app.style.colour_bar import BAR_FRAME, draw_bar, tick_line
 from qovr_app.style.colour_maps import colour_table, colours_of
 from qovr_app.style.theme import Theme, theme_of
-from qovr_app.view3d.scene.ticks import tick_positions, tick_texts
+from qovr_app.style.ticks import tick_positions, tick_texts
 from qovr_core import Edge
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence
@@ -25,7 +26,7 @@ _LINE = 15.0
 """Height of a line of text around the square."""
 
 _BAR_GAP, _BAR_HEIGHT = 6.0, 10.0
-_TICK = 3.0
+_TICK = 2.0
 _TICK_ROOM = 36.0
 _MARK = 4.5
 _WHITE = QColor(255, 255, 255)
@@ -73,7 +74,7 @@ class HeatMap(QWidget):
 
     def square(self) -> QRectF:
         """Return where the unit square lies in the widget."""
-        below = 2 * _LINE + _BAR_GAP + _BAR_HEIGHT + _TICK
+        below = 2 * _LINE + _BAR_GAP + _BAR_HEIGHT + BAR_FRAME + _TICK
         side = max(1.0, min(self.width() - 2 * _LINE, self.height() - _LINE - below))
         return QRectF(round((self.width() - side) / 2), _LINE, round(side), round(side))
 
@@ -153,21 +154,17 @@ class HeatMap(QWidget):
 
     def _paint_bar(self, painter: QPainter, square: QRectF) -> None:
         bar = QRectF(square.left(), square.bottom() + _LINE + _BAR_GAP, square.width(), _BAR_HEIGHT)
-        painter.drawImage(bar, _gradient())
-        for reach, width in zip(self._influence.reaches, _LINE_WIDTHS, strict=True):
-            x = bar.left() + reach.part * bar.width()
-            painter.setPen(QPen(_WHITE, width))
-            painter.drawLine(QLineF(x, bar.top(), x, bar.bottom()))
-        painter.setPen(QPen(QColor(*self._theme.axis), 1.0))
-        painter.drawRect(bar.adjusted(-0.5, -0.5, 0.5, 0.5))
+        pens = [QPen(_WHITE, width) for width in _LINE_WIDTHS]
+        marks = [(reach.part, pen) for reach, pen in zip(self._influence.reaches, pens, strict=True)]
+        draw_bar(painter, bar, colour_table(COLOURS), self._theme, marks)
         largest = self._influence.largest
         values = tick_positions(0.0, largest, max(1, int(bar.width() / _TICK_ROOM)))
         for value, text in zip(values.tolist(), tick_texts(values), strict=True):
-            x = bar.left() + value / largest * bar.width()
+            tick = tick_line(bar, value / largest, _TICK)
             painter.setPen(QPen(QColor(*self._theme.axis), 1.0))
-            painter.drawLine(QLineF(x, bar.bottom() + 1, x, bar.bottom() + _TICK))
+            painter.drawLine(tick)
             painter.setPen(QColor(*self._theme.quiet_ink))
-            room = QRectF(x - _TICK_ROOM / 2, bar.bottom() + _TICK, _TICK_ROOM, _LINE)
+            room = QRectF(tick.x2() - _TICK_ROOM / 2, tick.y2(), _TICK_ROOM, _LINE)
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
 
 
@@ -183,8 +180,3 @@ def _image(influence: Influence) -> QImage:
     rows = np.ascontiguousarray(colours.transpose(1, 0, 2)[::-1])
     height, width = rows.shape[:2]
     return QImage(rows.tobytes(), width, height, 3 * width, QImage.Format.Format_RGB888).copy()
-
-
-def _gradient() -> QImage:
-    row = colour_table(COLOURS)
-    return QImage(row.tobytes(), len(row), 1, row.nbytes, QImage.Format.Format_RGB888).copy()

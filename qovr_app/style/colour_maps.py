@@ -9,6 +9,7 @@ import numpy.typing as npt
 
 from qovr_app.state.display import ColourMap
 from qovr_core.arrays import Array, read_only
+from qovr_core.colours import jet
 
 ENTRIES = 256
 
@@ -20,25 +21,11 @@ DIVERGING = "RdBu_r"
 def colour_table(colour_map: str) -> npt.NDArray[np.uint8]:
     """Return red, green and blue of a ColourMap or of ``DIVERGING`` from low to high, (256, 3) uint8, read-only."""
     if colour_map == ColourMap.JET:
-        return read_only(np.rint(255 * _matlab_jet(ENTRIES)).astype(np.uint8))
+        return read_only(np.rint(255 * jet(np.arange(1, ENTRIES + 1) / ENTRIES)).astype(np.uint8))
     from matplotlib import colormaps
 
     table = colormaps[str(colour_map)](np.arange(ENTRIES), bytes=True)
     return read_only(np.ascontiguousarray(table[:, :3]))
-
-
-def _matlab_jet(count: int) -> Array:
-    """Return MATLAB's ``jet(count)``: three trapezoids of unit slope over a quarter of the table."""
-    quarter = count // 4
-    rise = np.arange(1, quarter + 1) / quarter
-    trapezoid = np.concatenate([rise, np.ones(quarter - 1), rise[::-1]])
-    table = np.zeros((count, 3))
-    first_green = (quarter + 1) // 2 - (count % 4 == 1)
-    for channel, shift in ((0, quarter), (1, 0), (2, -quarter)):
-        rows = first_green + shift + np.arange(trapezoid.size)
-        kept = (rows >= 0) & (rows < count)
-        table[rows[kept], channel] = trapezoid[kept]
-    return table
 
 
 def colours_of(values: Array, low: float, high: float, colour_map: str) -> npt.NDArray[np.uint8]:

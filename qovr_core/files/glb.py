@@ -9,9 +9,9 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.colours import height_colours, linear
 from qovr_core.evaluation import Surface
 from qovr_core.files.atomic import replacing
-from qovr_core.files.colours import height_colours, linear
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress

@@ -9,9 +9,9 @@ from pathlib import Path
 
 import numpy as np
 
+from qovr_core.colours import height_colours
 from qovr_core.evaluation import Surface
 from qovr_core.files.atomic import replacing
-from qovr_core.files.colours import height_colours
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress

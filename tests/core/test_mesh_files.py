@@ -9,9 +9,9 @@ import pytest
 import trimesh
 
 from qovr_core import FORMULATIONS, Formulation, Patch, configure
+from qovr_core.colours import height_colours, linear
 from qovr_core.errors import FileError
 from qovr_core.files import ExportOptions, format_for, stl, tessellation
-from qovr_core.files.colours import height_colours, linear
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json
 from support.documents import random_document

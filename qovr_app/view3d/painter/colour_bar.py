@@ -7,17 +7,19 @@ from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+import numpy.typing as npt
+from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
+from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
+from qovr_app.style.ticks import tick_positions, tick_texts
 from qovr_app.view3d.painter.canvas import blank_image, painting
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.view3d.scene.ticks import tick_positions, tick_texts
 from qovr_core.arrays import Array
 
 _WIDTH = 14.0
@@ -27,9 +29,7 @@ _RIGHT = 78.0
 _PART_OF_HEIGHT = 0.62
 _TALLEST = 420.0
 _TICK_ROOM = 34.0
-_TICK_GAP = 6.0
-
-
+_TICK_LENGTH, _TICK_GAP = 3.0, 6.0
 _ARROW = 9.0
 _FACTOR_GAP = 9.0
 _PLAIN_POWERS = range(-1, 4)
@@ -79,25 +79,21 @@ def _drawn(bar: _Bar, left: float, ratio: float) -> QImage:
 
 def _draw(painter: QPainter, bar: _Bar) -> None:
     rect, colouring = bar_rect(bar.size), bar.colouring
-    painter.drawImage(rect, _gradient(colouring))
-    painter.setPen(QPen(QColor(*bar.theme.axis), 1.0))
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    painter.drawRect(rect.adjusted(-0.5, -0.5, 0.5, 0.5))
+    draw_bar(painter, rect, _colours(colouring), bar.theme)
     _draw_arrows(painter, rect, bar)
-    widest = 0.0 if math.isnan(colouring.limits[0]) else _draw_ticks(painter, rect, bar)
+    widest = 0.0 if math.isnan(colouring.limits[0]) else draw_ticks(painter, rect, colouring, bar.theme)
     place = rect.right() + _TICK_GAP + widest + 4, rect.center().y()
     title = with_subscripts(colouring.title)
     draw_text(painter, title, place, (0, 0.5), bar.theme.ink, pixels=NORMAL, upright=True)
 
 
-def _gradient(colouring: Colouring) -> QImage:
-    """Return the colours as an image one pixel wide, high values on top."""
-    rows = colouring.table[::-1]
-    if colouring.pattern is not None:
-        steps = np.array(colouring.pattern.bar[::-1])
-        rows = colouring.table[np.rint(steps * (ENTRIES - 1)).astype(np.intp)]
-    rows = np.repeat(rows, ENTRIES // len(rows), axis=0)  # in steps, which no smoothing of the painter washes out
-    return QImage(rows.tobytes(), 1, len(rows), 3, QImage.Format.Format_RGB888).copy()
+def _colours(colouring: Colouring) -> npt.NDArray[np.uint8]:
+    """Return the colours from low to high, (k, 3)."""
+    if colouring.pattern is None:
+        return colouring.table
+    from_above = np.rint((1 - np.array(colouring.pattern.bar)) * (ENTRIES - 1)).astype(np.intp)
+    rows = colouring.table[::-1][from_above]
+    return np.repeat(rows, ENTRIES // len(rows), axis=0)  # in steps, which no smoothing of the painter washes out
 
 
 def _draw_arrows(painter: QPainter, rect: QRectF, bar: _Bar) -> None:
@@ -113,33 +109,34 @@ def _draw_arrows(painter: QPainter, rect: QRectF, bar: _Bar) -> None:
             painter.drawPolygon(QPolygonF([ends[0], tip, ends[1]]))
 
 
-def _draw_ticks(painter: QPainter, rect: QRectF, bar: _Bar) -> float:
+def draw_ticks(painter: QPainter, rect: QRectF, colouring: Colouring, theme: Theme) -> float:
     """Draw ticks with their numbers, and the power of ten they are multiples of; return the widest number."""
-    theme, (low, high) = bar.theme, bar.colouring.limits
-    values, places = _ticks(rect, bar.colouring)
+    low, high = colouring.limits
+    values, parts = _ticks(rect, colouring)
     power = _common_power(max(abs(low), abs(high)))
     texts = tick_texts(values / 10.0**power) if high > low else [_short(low / 10.0**power)]
-    for y, text in zip(places.tolist(), texts, strict=True):
+    for part, text in zip(parts.tolist(), texts, strict=True):
+        tick = tick_line(rect, part, _TICK_LENGTH)
         painter.setPen(QPen(QColor(*theme.axis), 1.0))
-        painter.drawLine(QLineF(rect.right() + 1, y, rect.right() + 4, y))
-        draw_text(painter, plain(text), (rect.right() + _TICK_GAP, y), (0, 0.5), theme.quiet_ink)
+        painter.drawLine(tick)
+        draw_text(painter, plain(text), (rect.right() + _TICK_GAP, tick.y1()), (0, 0.5), theme.quiet_ink)
     if power:
         factor = f"×10{str(power).translate(_SUPERSCRIPTS)}"
-        over = rect.left(), rect.top() - _FACTOR_GAP - (_ARROW if bar.colouring.beyond[1] else 0.0)
+        over = rect.left(), rect.top() - _FACTOR_GAP - (_ARROW if colouring.beyond[1] else 0.0)
         draw_text(painter, plain(factor), over, (0, 0.5), theme.quiet_ink)
     return max((text_size(plain(text), SMALL)[0] for text in texts), default=0.0)
 
 
 def _ticks(rect: QRectF, colouring: Colouring) -> tuple[Array, Array]:
-    """Return the values that have a tick and their places along the screen's y."""
+    """Return the values that have a tick and which part of the bar each belongs to."""
     low, high = colouring.limits
     if not high > low:
-        return np.array([low]), np.array([rect.center().y()])
+        return np.array([low]), np.array([0.5])
     if colouring.pattern is None:
         values = tick_positions(low, high, int(rect.height() / _TICK_ROOM))
     else:
         values = np.array(colouring.pattern.ticks)
-    return values, rect.bottom() - (values - low) / (high - low) * rect.height()
+    return values, (values - low) / (high - low)
 
 
 def _short(value: float) -> str:

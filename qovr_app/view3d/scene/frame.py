@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from qovr_app.state.display import Scaling
-from qovr_app.view3d.scene.ticks import round_limits
+from qovr_app.style.ticks import round_limits
 from qovr_core.arrays import Array, read_only
 
 HALF_EXTENTS = read_only(np.array([1.0, 1.0, 0.62]))

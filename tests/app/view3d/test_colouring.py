@@ -184,12 +184,12 @@ def test_isophotes_and_zebra_of_known_normals():
 def test_one_value_alone_is_written_short(app, value):
     from PySide6.QtCore import QRectF
 
-    from qovr_app.view3d.painter import colour_bar as colourbar
+    from qovr_app.view3d.painter.colour_bar import draw_ticks
 
     image = blank_image((120.0, 300.0), 1.0)
-    bar = colourbar._Bar(Colouring(colour_table("jet"), "z", (value, value)), theme_of("light"), (120.0, 300.0))
+    colouring = Colouring(colour_table("jet"), "z", (value, value))
     with painting(image) as painter:
-        assert colourbar._draw_ticks(painter, QRectF(10, 10, 14, 280), bar) < 40
+        assert draw_ticks(painter, QRectF(10, 10, 14, 280), colouring, theme_of("light")) < 40
 
 
 @pytest.mark.parametrize(
@@ -198,9 +198,9 @@ def test_one_value_alone_is_written_short(app, value):
 def test_numbers_on_the_bar_leave_room_for_the_title(app, limits):
     from PySide6.QtCore import QRectF
 
-    from qovr_app.view3d.painter import colour_bar as colourbar
+    from qovr_app.view3d.painter.colour_bar import draw_ticks
 
     image = blank_image((120.0, 300.0), 1.0)
-    bar = colourbar._Bar(Colouring(colour_table("jet"), "z", limits), theme_of("light"), (120.0, 300.0))
+    colouring = Colouring(colour_table("jet"), "z", limits)
     with painting(image) as painter:
-        assert 0 < colourbar._draw_ticks(painter, QRectF(10, 10, 14, 280), bar) < 40
+        assert 0 < draw_ticks(painter, QRectF(10, 10, 14, 280), colouring, theme_of("light")) < 40

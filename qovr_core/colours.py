@@ -1,4 +1,4 @@
-"""Colours by height: MATLAB's jet."""
+"""Colours from low to high: MATLAB's jet."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ Colours = npt.NDArray[np.float32]
 
 _PLATEAU = np.float32(1.5)
 _PEAKS = np.array([3, 2, 1], dtype=np.float32)
-"""Four times the heights at which red, green and blue are in the middle of their plateaus."""
+"""Four times the parts at which red, green and blue are in the middle of their plateaus."""
 
 _SRGB_LINEAR_END = 0.04045
 
@@ -20,8 +20,12 @@ _SRGB_LINEAR_END = 0.04045
 def height_colours(heights: Array, low: float, high: float) -> Colours:
     """Return the colours of heights (k,) between two ends as sRGB, (k, 3) from 0 to 1; a flat surface is green."""
     extent = high - low
-    part = (heights - low) * (4 / extent) if extent > 0 else np.full(heights.shape, 2.0)
-    colours = np.subtract.outer(part.astype(np.float32), _PEAKS)
+    return jet((heights - low) * (1 / extent) if extent > 0 else np.full(heights.shape, 0.5))
+
+
+def jet(parts: Array) -> Colours:
+    """Return the colours at parts (k,) of the way from low to high as sRGB, (k, 3) from 0 to 1."""
+    colours = np.subtract.outer((4 * parts).astype(np.float32), _PEAKS)
     np.abs(colours, out=colours)
     np.subtract(_PLATEAU, colours, out=colours)
     return np.clip(colours, 0, 1, out=colours)
