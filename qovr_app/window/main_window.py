@@ -66,7 +66,7 @@ class MainWindow(QMainWindow):
         self._settings = DisplaySettings(theme=theme_in_force().name)
         if preferences:
             self._settings = preferences.display(self._settings)
-        self.workspace = Workspace(self.controller, self)
+        self.workspace = Workspace(self.controller, self.worker, self)
         self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self, worker=self.worker)
         self.colours = ColourDesk(self.session, self.controller, lambda: self.view, self)
         self._keeper: Keeper | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from functools import cache
@@ -58,6 +58,11 @@ class Condition:
     is_met: Callable[[Document], bool]
 
 
+def _no_examples(_document: Document) -> tuple[Document, ...]:
+    """Try no documents but the usual ones; has a name, so that a claim can go to another process."""
+    return ()
+
+
 @dataclass(frozen=True)
 class Claim:
     """One claim of the paper and the function that decides it.
@@ -80,7 +85,7 @@ class Claim:
     measure: Callable[[Document], Measurement]
     condition: Condition | None = None
     parts_condition: str = ""
-    examples: Callable[[Document], Sequence[Document]] = lambda _document: ()
+    examples: Callable[[Document], Sequence[Document]] = _no_examples
     is_general: bool = True
 
     @property
@@ -135,24 +140,12 @@ def decide(claim: Claim, document: Document, formulation: Formulation) -> Findin
     ------
     EvaluationError : the document has no finite surface
     """
-    *_, finding = decide_steps(claim, document, formulation)
-    assert finding is not None
-    return finding
-
-
-def decide_steps(claim: Claim, document: Document, formulation: Formulation) -> Iterator[Finding | None]:
-    """Decide as ``decide`` does, in small pieces: yield None after each, and at last the finding."""
     here = replace(document, formulation=formulation)
     trials = [_Trial(here, _measured(claim, here))]
-    yield None
     if claim.is_general:
-        for example in claim.examples(here):
-            trials.append(_Trial(example, _measured(claim, example)))
-            yield None
-        for fixed in _fixed_trials(claim, formulation):
-            trials.append(_Trial(fixed, _measured_once(claim, fixed)))
-            yield None
-    yield _finding(claim, formulation, trials)
+        trials += [_Trial(example, _measured(claim, example)) for example in claim.examples(here)]
+        trials += [_Trial(fixed, _measured_once(claim, fixed)) for fixed in _fixed_trials(claim, formulation)]
+    return _finding(claim, formulation, trials)
 
 
 def _measured(claim: Claim, document: Document) -> Measurement:

@@ -149,7 +149,6 @@ def compare(
     document: Document,
     point: tuple[int, int] = DEFAULT_POINT,
     weight: float = DEFAULT_WEIGHT,
-    *,
     report: Callable[[str, Measures], object] = lambda _name, _measures: None,
 ) -> Comparison:
     """Measure the QOVR surface of a document and the classical surfaces of its net (the paper's Table 2).

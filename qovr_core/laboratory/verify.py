@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable
 
 from qovr_core.document import Document
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
-from qovr_core.laboratory.claims import Claim, Finding, decide_steps
+from qovr_core.laboratory.claims import Claim, Finding, decide
 
 CLAIMS: tuple[Claim, ...] = (
     Claim("inverse", "M times M^-1 is the identity", "(14)-(17), (21), (22)", curve_claims.inverse),
@@ -96,10 +96,14 @@ CLAIMS: tuple[Claim, ...] = (
 """Every claim, in the paper's order, beside the function that measures it."""
 
 
-def verify(document: Document) -> tuple[Finding, ...]:
+def verify(document: Document, report: Callable[[Finding], object] = lambda _finding: None) -> tuple[Finding, ...]:
     """Decide every claim for every formulation, and measure it on a document.
 
     The document's own formulation does not matter: it is looked at under each.
+
+    Parameters
+    ----------
+    report : called with each finding as soon as it is known; what it raises ends the work
 
     Returns
     -------
@@ -109,11 +113,9 @@ def verify(document: Document) -> tuple[Finding, ...]:
     ------
     EvaluationError : the document has no finite surface under some formulation
     """
-    return tuple(finding for finding in verify_steps(document) if finding is not None)
-
-
-def verify_steps(document: Document) -> Iterator[Finding | None]:
-    """Decide as ``verify`` does, in small pieces: yield None after each, and every finding as it is known."""
+    findings = []
     for claim in CLAIMS:
         for formulation in FORMULATIONS.values():
-            yield from decide_steps(claim, document, formulation)
+            findings.append(decide(claim, document, formulation))
+            report(findings[-1])
+    return tuple(findings)

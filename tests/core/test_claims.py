@@ -1,5 +1,6 @@
 """The paper's claims: the verdicts that are expected, and each measurement against another way to compute it."""
 
+import pickle
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +16,7 @@ from qovr_core.laboratory.claims import Claim, Condition, Measurement, Verdict, 
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
 from qovr_core.laboratory.splines import catmull_rom
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
+from qovr_core.laboratory.verify import CLAIMS, verify
 from qovr_core.presets import preset
 from support.documents import knots, random_document, random_net, seeds
 
@@ -99,13 +100,32 @@ def test_the_verdicts_do_not_depend_on_the_net_s_size_or_place():
         assert verdicts == [finding.verdict for finding in verify(document)]
 
 
-def test_the_steps_are_small_and_come_to_the_same():
-    document = random_document(5)
-    steps = list(verify_steps(document))
-    findings = [step for step in steps if step is not None]
+def test_every_finding_is_reported_as_soon_as_it_is_known():
+    reported = []
+    findings = verify(random_document(5), reported.append)
     assert len(findings) == len(CLAIMS) * len(FORMULATIONS)
-    assert len(steps) > 3 * len(findings)
-    assert [finding.verdict for finding in findings] == [finding.verdict for finding in verify(document)]
+    assert list(findings) == reported
+
+
+def test_what_the_report_raises_ends_the_work():
+    reported = []
+
+    def stop(finding):
+        reported.append(finding)
+        raise InterruptedError
+
+    with pytest.raises(InterruptedError):
+        verify(random_document(5), stop)
+    assert len(reported) == 1
+
+
+def test_findings_can_go_to_another_process():
+    document = random_document(5)
+    for finding in verify(document):
+        copy = pickle.loads(pickle.dumps(finding))
+        assert copy.claim in CLAIMS
+        assert (copy.formulation, copy.verdict, copy.largest) == (finding.formulation, finding.verdict, finding.largest)
+        assert copy.counterexample == finding.counterexample
 
 
 # --- how a verdict comes about ----------------------------------------------------------------------------------------
