@@ -6,14 +6,20 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from qovr_core.fields import Field
+from qovr_core.layer import Layer
 
 
-class Layer(StrEnum):
-    """Which surface is shown; ``BOTH`` puts the two side by side with linked cameras."""
+class LayerChoice(StrEnum):
+    """Which layers are shown; ``BOTH`` puts the two side by side with linked cameras."""
 
     RAW = "raw"
     TRANSFORMED = "transformed"
     BOTH = "both"
+
+    @property
+    def layers(self) -> tuple[Layer, ...]:
+        """The layers from left to right."""
+        return tuple(Layer) if self is LayerChoice.BOTH else (Layer(self.value),)
 
 
 class Style(StrEnum):
@@ -79,7 +85,7 @@ class DisplaySettings:
     ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera.
     """
 
-    layer: Layer = Layer.TRANSFORMED
+    layer: LayerChoice = LayerChoice.TRANSFORMED
     style: Style = Style.FACETS
     colour_map: ColourMap = ColourMap.JET
     colour_by: str = Field.HEIGHT.name

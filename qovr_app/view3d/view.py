@@ -12,7 +12,7 @@ from PySide6.QtCore import QPoint, QSize, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.display import DisplaySettings, Layer, Projection
+from qovr_app.state.display import DisplaySettings, Projection
 from qovr_app.view3d.figure.figure import FigureOptions, save_figure
 from qovr_app.view3d.interaction.navigator import Navigator
 from qovr_app.view3d.interaction.probing import Place, place_under, reading_at
@@ -32,8 +32,6 @@ from qovr_core.fields import FIELDS, Need, Range
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""
-
-_LAYER_NAMES = {Layer.RAW: "raw", Layer.TRANSFORMED: "transformed"}
 
 
 class View3D(QWidget):
@@ -342,6 +340,6 @@ class View3D(QWidget):
 
 def _caption(scene: Scene) -> str:
     """Return what tells a viewport from the one beside it."""
-    layer = "" if scene.is_rival else _LAYER_NAMES[scene.layer]
+    layer = "" if scene.is_rival else str(scene.layer)
     text = ", ".join(part for part in (scene.name, layer) if part)
     return text[0].upper() + text[1:]

@@ -12,14 +12,14 @@ from PySide6.QtWidgets import QDialog, QWidget
 
 from qovr_app.dialogs.range_dialog import RangeDialog
 from qovr_app.laboratory.panel import Focus
-from qovr_app.state.display import DisplaySettings, Layer
+from qovr_app.state.display import DisplaySettings, LayerChoice
 from qovr_app.window.actions import Command
 from qovr_app.window.controller import Controller
 from qovr_app.window.session import Session
 from qovr_core import ParametricSurface
 from qovr_core.edits import KnotPlace
 from qovr_core.fields import Range
-from qovr_core.layer import Layer as SurfaceLayer
+from qovr_core.layer import Layer
 
 if TYPE_CHECKING:
     from qovr_app.view3d.scene.comparison import Rival
@@ -73,7 +73,7 @@ class ColourDesk(QObject):
             self.told.emit("There is no surface to pin: configure one first (F5).")
             return
         shown = self._view().settings.layer
-        layer = result.document.formulation.resting_layer if shown is Layer.BOTH else SurfaceLayer(shown.value)
+        layer = result.document.formulation.resting_layer if shown is LayerChoice.BOTH else Layer(shown.value)
         formulation = result.document.formulation
         self._set(result.layer_patch(layer), f"{self._session.title}, {formulation}")
         self.told.emit(

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.dialogs.help_dialog import HelpDialog
 from qovr_app.laboratory.dock import check_shown, laboratory_commands
-from qovr_app.state.display import ColourRange, DisplaySettings, Layer
+from qovr_app.state.display import ColourRange, DisplaySettings, LayerChoice
 from qovr_app.style.palette import theme_in_force
 from qovr_app.window.actions import make_actions
 from qovr_app.window.application import NAME
@@ -198,7 +198,7 @@ class MainWindow(QMainWindow):
     def _show_layer_in_place(self) -> None:
         """Show the layer that lies on the control net, unless both are shown."""
         layer = self._result.document.formulation.resting_layer
-        if self._settings.layer not in (Layer.BOTH, layer):
+        if self._settings.layer not in (LayerChoice.BOTH, layer):
             self.commands[f"layer_{layer}"].trigger()
 
     def _on_state_changed(self, state: State) -> None:

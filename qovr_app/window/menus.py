@@ -8,7 +8,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
-from qovr_app.state.display import Layer
+from qovr_app.state.display import LayerChoice
 from qovr_app.window.actions import Command
 
 if TYPE_CHECKING:
@@ -80,7 +80,7 @@ def _menu(path: str, bar: QMenuBar, menus: dict[str, QMenu]) -> QMenu:
 def make_view_bar(actions: dict[str, QAction], parent: QWidget) -> QToolBar:
     """Return the bar over the view: which surface, how it looks, and from where."""
     bar = _bar("View", "view_bar", parent)
-    for layer, text in ((Layer.RAW, "Raw"), (Layer.TRANSFORMED, "Transformed"), (Layer.BOTH, "Both")):
+    for layer, text in ((LayerChoice.RAW, "Raw"), (LayerChoice.TRANSFORMED, "Transformed"), (LayerChoice.BOTH, "Both")):
         _add(bar, actions[f"layer_{layer}"], text)
     bar.addSeparator()
     for title, prefixes in _BAR_CHOICES.items():

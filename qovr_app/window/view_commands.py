@@ -10,7 +10,7 @@ from qovr_app.state.display import (
     ColourMap,
     ColourRange,
     DisplaySettings,
-    Layer,
+    LayerChoice,
     Projection,
     Scaling,
     Style,
@@ -35,7 +35,7 @@ SHOWN = {
 
 CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
     "layer": (
-        Layer,
+        LayerChoice,
         "&View",
         {
             "raw": ("&Raw surface", "1"),

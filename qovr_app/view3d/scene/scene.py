@@ -8,7 +8,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from qovr_app.state.display import Layer, Scaling
+from qovr_app.state.display import Scaling
 from qovr_app.view3d.scene.frame import Frame, frame_around
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, ParametricSurface, Patch, curve_network
@@ -16,7 +16,7 @@ from qovr_core.arrays import Array, read_only
 from qovr_core.edits import KnotPlace
 from qovr_core.evaluation import parameters
 from qovr_core.fields import Field, Need, field_values
-from qovr_core.layer import Layer as SurfaceLayer
+from qovr_core.layer import Layer
 
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
@@ -102,7 +102,7 @@ class Scene:
         """dS/dknot for the companions' knot, in the document's units."""
         from qovr_core.laboratory.sensitivity import knot_sensitivity
 
-        return knot_sensitivity(self.result, self.companions.knot, SurfaceLayer(self.layer.value))
+        return knot_sensitivity(self.result, self.companions.knot, self.layer)
 
     def beside(self, need: Need | None) -> ParametricSurface | None:
         """Return what a field with this need must be given; None where it needs nothing, or nothing is there."""

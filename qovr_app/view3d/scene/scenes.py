@@ -4,15 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from qovr_app.state.display import DisplaySettings, Layer
+from qovr_app.state.display import DisplaySettings
 from qovr_app.view3d.scene.comparison import Rival, RivalSurface, face_rival
 from qovr_app.view3d.scene.frame import Frame
 from qovr_app.view3d.scene.scene import Companions, Result, Scene, make_scene, scene_frame
-
-
-def shown_layers(settings: DisplaySettings) -> tuple[Layer, ...]:
-    """Return the layers from left to right."""
-    return (Layer.RAW, Layer.TRANSFORMED) if settings.layer is Layer.BOTH else (settings.layer,)
+from qovr_core.layer import Layer
 
 
 class Stage:
@@ -30,7 +26,7 @@ class Stage:
     def count(self, settings: DisplaySettings) -> int:
         """Return how many scenes there are, or will be with the first result."""
         beside = self._rival is not None and self._rival.is_beside
-        return len(shown_layers(settings)) + beside
+        return len(settings.layer.layers) + beside
 
     def scene(self, number: int) -> Scene | None:
         """Return a scene, counted from the left; None before the first result."""
@@ -54,7 +50,7 @@ class Stage:
         if self._result is None:
             return
         others = () if self._facing is None else (self._facing.box,)
-        for layer in shown_layers(settings):
+        for layer in settings.layer.layers:
             if layer not in self._frames or not keep_limits:
                 self._frames[layer] = scene_frame(self._result, layer, settings.scaling, *others)
             self._own[layer] = make_scene(self._result, layer, self._frames[layer], self.companions)
@@ -75,7 +71,7 @@ class Stage:
         """Put the rival beside or over the layer that lies on the control net, or the only one."""
         self._scenes = list(self._own.values())
         if self._facing is not None and self._own:
-            layer = Layer(self._result.document.formulation.resting_layer.value)
+            layer = self._result.document.formulation.resting_layer
             own = self._own.get(layer, self._scenes[-1])
             number = self._scenes.index(own)
             scenes = face_rival(own, self._facing)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from qovr_app.state.display import ColourRange, DisplaySettings, Layer, Scaling
+from qovr_app.state.display import ColourRange, DisplaySettings, Scaling
 from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.style.theme import theme_of
 from qovr_app.view3d.painter.canvas import blank_image, painting
@@ -17,6 +17,7 @@ from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import Document, align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.fields import FIELDS, Field, field_values
+from qovr_core.layer import Layer
 from qovr_core.presets import preset
 
 COUNTS = (21, 17)

@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_app.state.display import ColourMap, ColourRange, Layer, Style, ThemeName
+from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, Style, ThemeName
 from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.view3d.painter.colour_bar import bar_rect
 from qovr_app.view3d.scene.patterns import DARK_STRIPE, LIGHT_STRIPE, colour_sources
@@ -13,7 +13,13 @@ from qovr_core import Document, align_patch
 from qovr_core.edits import Direction, KnotPlace, set_point
 from qovr_core.fields import FIELDS, Field, field_values
 
-BARE = {"control_points": False, "labels": False, "control_net": False, "parameter_lines": False, "layer": Layer.RAW}
+BARE = {
+    "control_points": False,
+    "labels": False,
+    "control_net": False,
+    "parameter_lines": False,
+    "layer": LayerChoice.RAW,
+}
 FIELDS_BY = ["gaussian", "mean", "largest", "smallest", "distance"]
 
 
@@ -173,7 +179,7 @@ def test_isophotes_are_bands_of_equal_angle(make_view, document, renderer, expec
 @pytest.mark.parametrize("style", list(Style))
 @pytest.mark.parametrize("by", list(colour_sources()))
 def test_every_style_shows_every_field_and_pattern(make_view, document, renderer, style, by, reference):
-    view = make_view(document, layer=Layer.RAW, style=style, colour_by=by, theme=ThemeName.DARK).view
+    view = make_view(document, layer=LayerChoice.RAW, style=style, colour_by=by, theme=ThemeName.DARK).view
     view.set_reference(reference)
     view.set_focus_knot(KnotPlace(Direction.ROWS, 1, "s"))
     make_view.settle(view)
@@ -215,7 +221,7 @@ def test_a_figure_holds_the_colours_and_the_bar(make_view, document, renderer, t
 
     from qovr_app.view3d.figure.figure import FigureOptions
 
-    view = make_view(document, layer=Layer.RAW, colour_by="mean").view
+    view = make_view(document, layer=LayerChoice.RAW, colour_by="mean").view
     view.save_figure(tmp_path / "a.png", FigureOptions(view.width(), view.height(), None))
     figure, rect = QImage(str(tmp_path / "a.png")), bar_rect(view.viewports[0].logical_size)
     figure.setDevicePixelRatio(1.0)

@@ -14,7 +14,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.state.display import Layer
+from qovr_app.state.display import LayerChoice
 
 ALL_POINTS = [(i, j) for i in range(5) for j in range(5)]
 LEFT = Qt.MouseButton.LeftButton
@@ -50,7 +50,7 @@ def release(viewport, at):
 
 @pytest.fixture
 def owner(make_view, document):
-    return make_view(document, layer=Layer.RAW, at_rest=False)
+    return make_view(document, layer=LayerChoice.RAW, at_rest=False)
 
 
 @pytest.mark.parametrize("index", ALL_POINTS)
@@ -138,7 +138,7 @@ def test_a_click_selects_and_edits_nothing(owner, pixel):
 
 
 def test_a_hidden_point_is_still_picked(make_view, document, pixel):
-    owner = make_view(document, layer=Layer.TRANSFORMED)
+    owner = make_view(document, layer=LayerChoice.TRANSFORMED)
     picture = owner.view.picture()
     from qovr_app.view3d.scene.occlusion import Occluder
 
@@ -158,7 +158,7 @@ def test_hovering_tells_which_point(owner, pixel):
 
 
 def test_both_layers_are_dragged_in_their_own_space(make_view, document, expected_pixel):
-    owner = make_view(document, layer=Layer.BOTH, size=(1000, 480))
+    owner = make_view(document, layer=LayerChoice.BOTH, size=(1000, 480))
     for number, viewport in enumerate(owner.view.viewports):
         point = owner.document.control_points[2, 3]
         start = np.array(expected_pixel(owner.view, point, number))

@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
-from qovr_app.state.display import Layer
+from qovr_app.state.display import LayerChoice
 from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_core import FileError
 
@@ -17,7 +17,7 @@ from qovr_core import FileError
 def view(request, make_view, document):
     if request.param == "painter":
         request.getfixturevalue("no_opengl")
-    return make_view(document, layer=Layer.RAW, size=(600, 480)).view
+    return make_view(document, layer=LayerChoice.RAW, size=(600, 480)).view
 
 
 def test_png_has_the_size_and_the_resolution(view, tmp_path):
@@ -99,7 +99,7 @@ def test_pdf_has_the_size_in_points(view, tmp_path):
 
 
 def test_two_layers_make_one_figure(make_view, document, tmp_path):
-    view = make_view(document, layer=Layer.BOTH, size=(900, 400)).view
+    view = make_view(document, layer=LayerChoice.BOTH, size=(900, 400)).view
     view.save_figure(tmp_path / "a.png", FigureOptions(900, 400, None))
     image = QImage(str(tmp_path / "a.png"))
     for left in (0, 450):
@@ -135,7 +135,7 @@ def test_a_driver_that_fails_on_a_figure_leaves_it_to_the_painter(make_view, doc
     def fail(*args, **kwargs):
         raise RuntimeError("no framebuffer")
 
-    owner = make_view(document, layer=Layer.RAW)
+    owner = make_view(document, layer=LayerChoice.RAW)
     monkeypatch.setattr(gl_figure, "sampled_buffer", fail)
     owner.view.save_figure(tmp_path / "a.png", FigureOptions(400, 300, None))
     image = QImage(str(tmp_path / "a.png"))

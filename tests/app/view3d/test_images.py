@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from qovr_app.state.display import ColourMap, DisplaySettings, Layer, Projection, Style, ThemeName
+from qovr_app.state.display import ColourMap, DisplaySettings, LayerChoice, Projection, Style, ThemeName
 from qovr_app.style.colour_maps import colours_of
 from qovr_app.view3d.painter.colour_bar import bar_rect
 from qovr_app.view3d.scene.camera import NAMED_VIEWS
@@ -34,7 +34,7 @@ def seen_colour(expected_pixel, colour_at):
 
 @pytest.mark.parametrize("colour_map", list(ColourMap))
 def test_every_point_has_the_colour_of_its_height(make_view, document, renderer, colour_map, seen_colour):
-    owner = make_view(document, layer=Layer.RAW, colour_map=colour_map, **PLAIN)
+    owner = make_view(document, layer=LayerChoice.RAW, colour_map=colour_map, **PLAIN)
     owner.view.set_camera("top", animated=False)
     make_view.settle(owner.view)
     image, (low, high) = owner.view.image(), owner.view.picture().scene.surface_box[2]
@@ -50,7 +50,7 @@ def test_every_point_has_the_colour_of_its_height(make_view, document, renderer,
 
 @pytest.mark.parametrize("camera", list(NAMED_VIEWS))
 def test_control_points_appear_where_they_are(make_view, document, renderer, camera, seen_colour):
-    owner = make_view(document, layer=Layer.RAW, surface=False, labels=False, control_net=False, axes=False)
+    owner = make_view(document, layer=LayerChoice.RAW, surface=False, labels=False, control_net=False, axes=False)
     owner.view.set_camera(camera, animated=False)
     make_view.settle(owner.view)
     image, accent = owner.view.image(), owner.view.picture().theme.accent
@@ -63,7 +63,7 @@ def test_a_mirrored_picture_would_be_noticed(make_view, renderer, expected_pixel
     x, y = np.meshgrid(np.arange(5.0), np.arange(5.0))
     z = 0.1 * x + 0.3 * x * y
     document = Document(np.stack([x, y, z], axis=-1), formulation="interpolating")
-    owner = make_view(document, layer=Layer.RAW, **PLAIN)
+    owner = make_view(document, layer=LayerChoice.RAW, **PLAIN)
     owner.view.set_camera("top", animated=False)
     make_view.settle(owner.view)
     image, patch = owner.view.image(), configure(document).patch
@@ -83,13 +83,13 @@ def test_smooth_surfaces_are_lit_and_facets_are_not(make_view, renderer, expecte
     x, y = np.meshgrid(np.arange(5.0), np.arange(5.0))
     net = np.stack([x, y, -((y - 2) ** 2)], axis=-1)
     document = Document(net, formulation="interpolating", samples=(31, 31))
-    owner = make_view(document, layer=Layer.RAW, **PLAIN)
+    owner = make_view(document, layer=LayerChoice.RAW, **PLAIN)
     owner.view.set_camera("top", animated=False)
     # In cells whose first corners, which colour facets, lie equally far from the ridge.
     slopes = configure(document).patch.points(np.array([0.517]), np.array([8.5, 22.5]) / 30)[0]
     sums = {}
     for style in (Style.FACETS, Style.SMOOTH):
-        owner.view.set_settings(DisplaySettings(layer=Layer.RAW, style=style, **PLAIN))
+        owner.view.set_settings(DisplaySettings(layer=LayerChoice.RAW, style=style, **PLAIN))
         make_view.settle(owner.view)
         image = owner.view.image()
         sums[style] = [sum(colour_at(image, *expected_pixel(owner.view, point))) for point in slopes]
@@ -120,11 +120,11 @@ def pixels_of(image):
     ],
 )
 def test_every_part_can_be_switched(make_view, document, renderer, part):
-    owner = make_view(document, layer=Layer.RAW)
+    owner = make_view(document, layer=LayerChoice.RAW)
     camera = owner.view.camera
     images = []
     for shown in (False, True):
-        owner.view.set_settings(DisplaySettings(layer=Layer.RAW, **{part: shown}))
+        owner.view.set_settings(DisplaySettings(layer=LayerChoice.RAW, **{part: shown}))
         owner.view._on_camera_requested(camera)
         make_view.settle(owner.view)
         images.append(pixels_of(owner.view.image()))
@@ -135,7 +135,7 @@ def test_every_part_can_be_switched(make_view, document, renderer, part):
 @pytest.mark.parametrize("style", list(Style))
 @pytest.mark.parametrize("projection", list(Projection))
 def test_every_style_shows_the_surface(make_view, document, renderer, style, projection):
-    owner = make_view(document, layer=Layer.RAW, style=style, projection=projection, colour_bar=False)
+    owner = make_view(document, layer=LayerChoice.RAW, style=style, projection=projection, colour_bar=False)
     image = pixels_of(owner.view.image())
     colourful = (np.ptp(image, axis=-1) > 120).mean()
     assert colourful > 0.004
@@ -148,7 +148,7 @@ def test_the_background_is_the_themes(make_view, document, renderer, theme, colo
 
 
 def test_labels_stand_beside_their_points(make_view, document, renderer, expected_pixel):
-    owner = make_view(document, layer=Layer.RAW, surface=False, control_net=False, axes=False)
+    owner = make_view(document, layer=LayerChoice.RAW, surface=False, control_net=False, axes=False)
     image = pixels_of(owner.view.image())
     for index in ((0, 0), (0, 4), (4, 0), (2, 2)):
         x, y = expected_pixel(owner.view, document.control_points[index])
@@ -169,9 +169,9 @@ def test_the_colour_bar_has_the_colours_of_the_surface(make_view, document, rend
 
 
 def test_painter_and_opengl_show_the_same(make_view, document, no_opengl, monkeypatch):
-    painter = pixels_of(make_view(document, layer=Layer.RAW, parameter_lines=False).view.image())
+    painter = pixels_of(make_view(document, layer=LayerChoice.RAW, parameter_lines=False).view.image())
     monkeypatch.undo()
-    opengl = pixels_of(make_view(document, layer=Layer.RAW, parameter_lines=False).view.image())
+    opengl = pixels_of(make_view(document, layer=LayerChoice.RAW, parameter_lines=False).view.image())
     assert (np.abs(painter - opengl).max(axis=-1) > 48).mean() < 0.01
 
 
@@ -179,7 +179,7 @@ def test_parameter_lines_follow_the_samples(make_view, expected_pixel):
     """On a level plane with 31 samples a coarse line comes at every second one, and none between samples."""
     x, y = np.meshgrid(np.arange(5.0), np.arange(5.0))
     document = Document(np.stack([x, y, 0 * x], axis=-1), formulation="interpolating", samples=(31, 31))
-    owner = make_view(document, layer=Layer.RAW, style=Style.SMOOTH, **{**PLAIN, "parameter_lines": True})
+    owner = make_view(document, layer=LayerChoice.RAW, style=Style.SMOOTH, **{**PLAIN, "parameter_lines": True})
     owner.view.set_camera("top", animated=False)
     make_view.settle(owner.view)
     image, patch = pixels_of(owner.view.image()).sum(axis=-1), configure(document).patch

@@ -8,7 +8,7 @@ from PySide6.QtCore import QEvent, QPointF, Qt
 from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.state.display import Layer, Scaling
+from qovr_app.state.display import LayerChoice, Scaling
 from qovr_app.view3d.interaction.probing import place_under, reading_at
 from qovr_app.view3d.painter.readout import readout_rows, readout_text
 from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
@@ -18,7 +18,7 @@ from qovr_core import align_patch
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.fields import Field
 from qovr_core.laboratory.sensitivity import knot_sensitivity
-from qovr_core.layer import Layer as SurfaceLayer
+from qovr_core.layer import Layer
 from qovr_core.presets import preset
 
 SIZE = (800.0, 600.0)
@@ -117,7 +117,7 @@ def test_a_reading_is_in_the_documents_units():
     assert reading.others[Field.DISTANCE] == pytest.approx(
         np.linalg.norm(dense - reading.point, axis=-1).min(), rel=1e-3
     )
-    slope = knot_sensitivity(result, knot, SurfaceLayer.TRANSFORMED).points([0.3], [0.8])[0, 0]
+    slope = knot_sensitivity(result, knot, Layer.TRANSFORMED).points([0.3], [0.8])[0, 0]
     assert reading.others[Field.SENSITIVITY] == pytest.approx(np.linalg.norm(slope))
 
 
@@ -141,14 +141,14 @@ def move(viewport, x, y):
 
 
 @pytest.mark.parametrize("renderer", ["opengl", "painter"])
-@pytest.mark.parametrize("layer", list(Layer))
+@pytest.mark.parametrize("layer", list(LayerChoice))
 def test_the_mouse_reads_the_point_it_is_over(make_view, document, renderer, layer, request, expected_pixel):
     if renderer == "painter":
         request.getfixturevalue("no_opengl")
     view = make_view(document, layer=layer, probe=True, size=(900, 560)).view
     number = len(view.viewports) - 1
     result = align_patch(document)
-    surface = result.patch if layer is Layer.RAW else result.transformed_patch
+    surface = result.patch if layer is LayerChoice.RAW else result.transformed_patch
     goal = surface.points([0.37], [0.58])[0, 0]
     move(view.viewports[number], *expected_pixel(view, goal, number))
     for k in range(number + 1):
@@ -160,7 +160,7 @@ def test_the_mouse_reads_the_point_it_is_over(make_view, document, renderer, lay
 
 
 def test_what_is_read_follows_the_surface_and_the_camera(make_view, document, expected_pixel):
-    owner = make_view(document, layer=Layer.RAW, probe=True)
+    owner = make_view(document, layer=LayerChoice.RAW, probe=True)
     viewport = owner.view.viewports[0]
     x, y = expected_pixel(owner.view, align_patch(document).patch.points([0.5], [0.5])[0, 0])
     move(viewport, x, y)
@@ -174,7 +174,9 @@ def test_what_is_read_follows_the_surface_and_the_camera(make_view, document, ex
 
 
 def test_the_readout_and_the_mark_are_seen_and_stay_in_the_view(make_view, document, expected_pixel):
-    plain, probed = (make_view(document, layer=Layer.RAW, probe=probe, size=(330, 250)) for probe in (False, True))
+    plain, probed = (
+        make_view(document, layer=LayerChoice.RAW, probe=probe, size=(330, 250)) for probe in (False, True)
+    )
     for owner in (plain, probed):
         make_view.settle(owner.view)
         move(
@@ -193,6 +195,6 @@ def test_the_readout_and_the_mark_are_seen_and_stay_in_the_view(make_view, docum
 
 
 def test_switched_off_it_reads_nothing(make_view, document, expected_pixel):
-    view = make_view(document, layer=Layer.RAW).view
+    view = make_view(document, layer=LayerChoice.RAW).view
     move(view.viewports[0], 350, 280)
     assert view.picture().probed is None

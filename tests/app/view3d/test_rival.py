@@ -9,7 +9,7 @@ from PySide6.QtGui import QImage, QMouseEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.state.display import Layer, Placement, Style
+from qovr_app.state.display import LayerChoice, Placement, Style
 from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_app.view3d.scene.comparison import Rival
 from qovr_core.edits import set_point
@@ -26,7 +26,7 @@ def rival(placement, kind=b_spline, name="B-spline"):
 def owner(request, make_view, document):
     if request.param == "painter":
         request.getfixturevalue("no_opengl")
-    return make_view(document, layer=Layer.RAW, size=(900, 480))
+    return make_view(document, layer=LayerChoice.RAW, size=(900, 480))
 
 
 def test_beside_it_has_a_viewport_with_its_name_and_the_same_camera_and_limits(owner):
@@ -44,7 +44,7 @@ def test_beside_it_has_a_viewport_with_its_name_and_the_same_camera_and_limits(o
 
 
 def test_with_both_layers_it_stands_at_the_right_of_both(make_view, document):
-    view = make_view(document, layer=Layer.BOTH, size=(1200, 400)).view
+    view = make_view(document, layer=LayerChoice.BOTH, size=(1200, 400)).view
     view.set_rival(rival(Placement.BESIDE))
     assert [view.picture(k).caption for k in range(3)] == ["QOVR, raw", "Transformed", "B-spline"]
 
@@ -63,7 +63,7 @@ def test_the_limits_hold_what_reaches_beyond_the_net(owner, document):
 
 @pytest.mark.parametrize("by", ["height", "mean", "distance"])
 def test_a_colour_means_the_same_in_both(make_view, document, by):
-    view = make_view(document, layer=Layer.RAW, size=(900, 480), style=Style.SMOOTH, colour_by=by).view
+    view = make_view(document, layer=LayerChoice.RAW, size=(900, 480), style=Style.SMOOTH, colour_by=by).view
     view.set_rival(rival(Placement.BESIDE))
     pictures = [view.picture(k) for k in (0, 1)]
     assert pictures[0].colouring.limits == pictures[1].colouring.limits
@@ -74,7 +74,7 @@ def test_a_colour_means_the_same_in_both(make_view, document, by):
 
 
 def test_distances_are_those_of_each_from_the_other(make_view, document):
-    view = make_view(document, layer=Layer.RAW, style=Style.SMOOTH, colour_by="distance").view
+    view = make_view(document, layer=LayerChoice.RAW, style=Style.SMOOTH, colour_by="distance").view
     view.set_rival(rival(Placement.BESIDE))
     own, other = (view.picture(k) for k in (0, 1))
     assert own.colouring.title == "Distance from B-spline"
@@ -86,7 +86,7 @@ def test_distances_are_those_of_each_from_the_other(make_view, document):
 
 
 def test_it_has_no_knots_to_be_sensitive_to(make_view, document):
-    view = make_view(document, layer=Layer.RAW, colour_by="sensitivity").view
+    view = make_view(document, layer=LayerChoice.RAW, colour_by="sensitivity").view
     view.set_rival(rival(Placement.BESIDE))
     assert view.picture(1).colouring.note == "A B-spline surface has no internal knots"
 
@@ -150,7 +150,7 @@ def test_a_figure_shows_both(owner, tmp_path):
 
 @pytest.mark.parametrize("style", Style)
 def test_every_style_draws_it(make_view, document, style):
-    view = make_view(document, layer=Layer.RAW, size=(900, 480), style=style).view
+    view = make_view(document, layer=LayerChoice.RAW, size=(900, 480), style=style).view
     view.set_rival(rival(Placement.BESIDE))
     make_view.settle(view)
     image = view.viewports[1].image()

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_app.state.display import ColourMap, Layer, Scaling, Style
+from qovr_app.state.display import ColourMap, Scaling, Style
 from qovr_app.style.colour_maps import colour_table, colours_of
 from qovr_app.style.ticks import round_limits, tick_positions, tick_texts
 from qovr_app.view3d.scene.axes import axes_box
@@ -24,6 +24,7 @@ from qovr_app.view3d.scene.occlusion import Occluder
 from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Document, Patch, configure
 from qovr_core.edits import set_formulation, set_points
+from qovr_core.layer import Layer
 from qovr_core.presets import preset
 
 

@@ -13,7 +13,7 @@ from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow
 
-from qovr_app.state.display import DisplaySettings, Layer, Projection, Scaling
+from qovr_app.state.display import DisplaySettings, LayerChoice, Projection, Scaling
 from qovr_app.view3d.interaction import turn
 from qovr_core import configure
 from qovr_core.edits import set_point, set_samples
@@ -37,14 +37,14 @@ def wheel(viewport, at, notches):
 
 
 def test_the_camera_stays_when_the_document_changes(make_view, document):
-    owner = make_view(document, layer=Layer.RAW)
+    owner = make_view(document, layer=LayerChoice.RAW)
     camera = owner.view.camera
     owner.show(set_point(document, 2, 2, (9.0, -4.0, 7.0)))
     assert owner.view.camera == camera
 
 
 def test_the_wheel_zooms_about_the_cursor(make_view, document, expected_pixel):
-    owner = make_view(document, layer=Layer.RAW)
+    owner = make_view(document, layer=LayerChoice.RAW)
     point = document.control_points[3, 1]
     at = expected_pixel(owner.view, point)
     wheel(owner.view.viewports[0], at, 4)
@@ -115,7 +115,7 @@ def test_settings_change_projection_and_scaling(make_view, document):
 
 
 def test_limits_wait_while_a_point_is_dragged(make_view, document, expected_pixel):
-    owner = make_view(document, layer=Layer.RAW)
+    owner = make_view(document, layer=LayerChoice.RAW)
     viewport = owner.view.viewports[0]
     at = QPoint(*(round(value) for value in expected_pixel(owner.view, document.control_points[0, 4])))
     limits = owner.view.picture().scene.frame.limits
@@ -175,7 +175,7 @@ def test_an_error_while_painting_leads_to_the_painter(make_view, document, monke
 def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, monkeypatch, silenced):
     from qovr_app.view3d.gl import viewport as gl_viewport
 
-    owner = make_view(document, layer=Layer.BOTH)
+    owner = make_view(document, layer=LayerChoice.BOTH)
 
     def fail(*args, **kwargs):
         raise RuntimeError("lost")
@@ -189,7 +189,7 @@ def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, mo
 
 
 def test_without_opengl_the_painter_says_why_once(make_view, document, no_opengl, spin):
-    owner = make_view(document, layer=Layer.BOTH)
+    owner = make_view(document, layer=LayerChoice.BOTH)
     spin(lambda: bool(owner.reasons))
     assert owner.reasons == ["switched off"]
 
