@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QTabBar, QTableWidget
 
-from qovr_app.laboratory import place as place_module
+from qovr_app.laboratory import dock as place_module
 from qovr_app.laboratory.dock import PanelEntry
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.display import ThemeName
