@@ -21,9 +21,9 @@ from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, AlignedPatch, Document
-from qovr_core.laboratory.claims import Finding
+from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.laboratory.verify import CLAIMS, verify
+from qovr_core.laboratory.verify import Finding, verify
 
 _FIRST_WIDTHS = (450, 200)
 
@@ -141,7 +141,7 @@ class ClaimsPanel(LaboratoryPanel):
 
     def _open(self, kind: str) -> None:
         finding = self._table.current_finding()
-        title = f"{kind.capitalize()} to {finding.claim.id}, {finding.formulation}"
+        title = f"{kind.capitalize()} to {finding.claim.name}, {finding.formulation}"
         self.document_requested.emit(getattr(finding, kind), title)
 
     def _button(self, kind: str, tip: str) -> CompactButton:
@@ -190,7 +190,7 @@ def _details_html(finding: Finding) -> str:
         failing = "this document itself"
     measured = here.what[0].upper() + here.what[1:]
     paragraphs = [
-        f"<b>{_rich(claim.id)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
+        f"<b>{_rich(claim.name)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
         f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
         f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
         f"{_rich(measured)}: <b>{number(here.value)}</b> here, {number(finding.largest)} at most in all trials.",

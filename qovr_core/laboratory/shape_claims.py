@@ -16,8 +16,8 @@ from qovr_core.geometry.alignment import bounding_box
 from qovr_core.geometry.knots import Knots
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
-from qovr_core.laboratory.claims import Condition, Measurement
 from qovr_core.laboratory.falloff import best_decay
+from qovr_core.laboratory.measurement import Condition, Measurement
 from qovr_core.laboratory.trials import SAMPLES
 
 POINT_STEP = 0.1
