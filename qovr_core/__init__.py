@@ -14,7 +14,7 @@ array([0., 0., 0.])
 from qovr_core.construction import CurveNetwork, build_patch, curve_network
 from qovr_core.document import Document
 from qovr_core.errors import DocumentError, EvaluationError, FileError, QovrError, SourceError
-from qovr_core.evaluation import AlignedPatch, Surface, align_patch, configure
+from qovr_core.evaluation import Evaluation, configure
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.differential import Curvature, ParametricSurface
 from qovr_core.geometry.knots import Knots
@@ -23,12 +23,12 @@ from qovr_core.layer import Layer
 
 __all__ = [
     "FORMULATIONS",
-    "AlignedPatch",
     "Curvature",
     "CurveNetwork",
     "Document",
     "DocumentError",
     "Edge",
+    "Evaluation",
     "EvaluationError",
     "FileError",
     "Formulation",
@@ -38,8 +38,6 @@ __all__ = [
     "Patch",
     "QovrError",
     "SourceError",
-    "Surface",
-    "align_patch",
     "build_patch",
     "configure",
     "curve_network",

@@ -20,7 +20,7 @@ from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
-from qovr_core import FORMULATIONS, AlignedPatch, Document
+from qovr_core import FORMULATIONS, Document
 from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import Finding, verify
@@ -70,10 +70,10 @@ class ClaimsPanel(LaboratoryPanel):
     def use_worker(self, worker: Worker) -> None:
         self._worker = worker
 
-    def show_result(self, result: AlignedPatch) -> None:
+    def show_document(self, document: Document) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
-        self._table.show_formulation(result.document.formulation)
-        document = replace(result.document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
+        self._table.show_formulation(document.formulation)
+        document = replace(document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
         if document == self._document:
             return
         self._document, self._found = document, 0

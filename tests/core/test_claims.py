@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import FORMULATIONS, Document, Edge, Formulation, Knots, Patch, align_patch, build_patch, edits
+from qovr_core import FORMULATIONS, Document, Edge, Evaluation, Formulation, Knots, Patch, build_patch, edits
 from qovr_core.edits import Direction, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import weight_coefficients
@@ -424,7 +424,7 @@ def test_fairness_is_decided_by_the_document_against_catmull_rom(seed):
         assert finding.here.value == own
         assert finding.verdict is (TRUE if own <= others else FALSE)
         assert str(others) in finding.here.note
-        aligned = align_patch(replace(document, formulation=formulation))
+        aligned = Evaluation(replace(document, formulation=formulation))
         assert fairness.sign_changes(aligned.transformed_patch) == own
 
 

@@ -9,8 +9,8 @@ from functools import cached_property
 import numpy as np
 
 from qovr_app.state.display import Placement
-from qovr_app.view3d.scene.scene import Result, Scene
-from qovr_core import ParametricSurface
+from qovr_app.view3d.scene.scene import Scene
+from qovr_core import Document, ParametricSurface
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry.alignment import bounding_box
 
@@ -32,12 +32,12 @@ class Rival:
     Parameters
     ----------
     name : what the picture calls it
-    surface_of : gives the surface, in the document's units, for a result
+    surface_of : gives the surface, in the document's units, of a document's control net
     placement : beside or over
     """
 
     name: str
-    surface_of: Callable[[Result], ParametricSurface]
+    surface_of: Callable[[Document], ParametricSurface]
     placement: Placement
 
     @property
@@ -48,7 +48,7 @@ class Rival:
 
 @dataclass(frozen=True, eq=False)
 class RivalSurface:
-    """A rival's surface for one result, in the document's units.
+    """A rival's surface for one document, in the document's units.
 
     Parameters
     ----------

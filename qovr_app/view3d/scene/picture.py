@@ -28,7 +28,7 @@ class Picture:
 
     Parameters
     ----------
-    scene : None before the first result
+    scene : None before the first evaluation
     moving : draw on a coarser grid, because the next frame is near
     probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing

@@ -1,4 +1,4 @@
-"""The stage: a result as the scenes of the layers that are shown, in limits that can be held still."""
+"""The stage: an evaluation as the scenes of the layers that are shown, in limits that can be held still."""
 
 from __future__ import annotations
 
@@ -7,15 +7,16 @@ from dataclasses import replace
 from qovr_app.state.display import DisplaySettings
 from qovr_app.view3d.scene.comparison import Rival, RivalSurface, face_rival
 from qovr_app.view3d.scene.frame import Frame
-from qovr_app.view3d.scene.scene import Companions, Result, Scene, make_scene, scene_frame
-from qovr_core.layer import Layer
+from qovr_app.view3d.scene.scene import Companions, Scene, make_scene, scene_frame
+from qovr_core import Document, Evaluation, Layer
 
 
 class Stage:
-    """Holds the result and what is made of it; a scene is the same object until something in it changes."""
+    """Holds the evaluation and what is made of it; a scene is the same object until something in it changes."""
 
     def __init__(self) -> None:
-        self._result: Result | None = None
+        self._evaluation: Evaluation | None = None
+        self._document: Document | None = None
         self.companions = Companions()
         self._rival: Rival | None = None
         self._facing: RivalSurface | None = None
@@ -24,17 +25,19 @@ class Stage:
         self._scenes: list[Scene] = []
 
     def count(self, settings: DisplaySettings) -> int:
-        """Return how many scenes there are, or will be with the first result."""
+        """Return how many scenes there are, or will be with the first evaluation."""
         beside = self._rival is not None and self._rival.is_beside
         return len(settings.layer.layers) + beside
 
     def scene(self, number: int) -> Scene | None:
-        """Return a scene, counted from the left; None before the first result."""
+        """Return a scene, counted from the left; None before the first evaluation."""
         return self._scenes[number] if number < len(self._scenes) else None
 
-    def set_result(self, result: Result, settings: DisplaySettings, *, keep_limits: bool) -> None:
-        """Take over another result, in limits of its own or in those of the last one."""
-        self._result = result
+    def set_evaluation(
+        self, evaluation: Evaluation, document: Document, settings: DisplaySettings, *, keep_limits: bool
+    ) -> None:
+        """Take over another evaluation and control net, in limits of its own or in those of the last one."""
+        self._evaluation, self._document = evaluation, document
         self._meet()
         self.build(settings, keep_limits=keep_limits)
 
@@ -47,13 +50,13 @@ class Stage:
     def build(self, settings: DisplaySettings, *, keep_limits: bool) -> None:
         """Make the scenes of the layers that these settings show."""
         self._own = {}
-        if self._result is None:
+        if self._evaluation is None:
             return
         others = () if self._facing is None else (self._facing.box,)
         for layer in settings.layer.layers:
             if layer not in self._frames or not keep_limits:
-                self._frames[layer] = scene_frame(self._result, layer, settings.scaling, *others)
-            self._own[layer] = make_scene(self._result, layer, self._frames[layer], self.companions)
+                self._frames[layer] = scene_frame(self._evaluation, layer, settings.scaling, *others)
+            self._own[layer] = make_scene(self._evaluation, layer, self._frames[layer], self.companions, self._document)
         self._place()
 
     def set_companions(self, companions: Companions) -> None:
@@ -63,15 +66,15 @@ class Stage:
         self._place()
 
     def _meet(self) -> None:
-        """Make the rival's surface of the result."""
-        is_met = self._rival is not None and self._result is not None
-        self._facing = RivalSurface(self._rival, self._rival.surface_of(self._result)) if is_met else None
+        """Make the rival's surface of the control net."""
+        is_met = self._rival is not None and self._document is not None
+        self._facing = RivalSurface(self._rival, self._rival.surface_of(self._document)) if is_met else None
 
     def _place(self) -> None:
         """Put the rival beside or over the layer that lies on the control net, or the only one."""
         self._scenes = list(self._own.values())
         if self._facing is not None and self._own:
-            layer = self._result.document.formulation.resting_layer
+            layer = self._evaluation.document.formulation.resting_layer
             own = self._own.get(layer, self._scenes[-1])
             number = self._scenes.index(own)
             scenes = face_rival(own, self._facing)

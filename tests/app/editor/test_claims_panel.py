@@ -76,7 +76,7 @@ def turns_until_shown(lab):
     """Count the turns of the event loop from now until the window has the document's surface."""
     for turn in range(1, 20):
         QApplication.processEvents()
-        if lab.window._result.document == lab.document:
+        if lab.window.controller.state.evaluation.document == lab.document:
             return turn
     raise AssertionError("the edit is not shown")
 
