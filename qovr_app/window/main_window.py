@@ -29,7 +29,7 @@ from qovr_app.window.window_commands import go_commands, help_commands, window_c
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
 from qovr_core import Document, Evaluation, Formulation
-from qovr_core.files.sources import READERS
+from qovr_core.files import readable_suffixes
 from qovr_core.presets import figure_cases
 
 if TYPE_CHECKING:
@@ -340,4 +340,4 @@ class MainWindow(QMainWindow):
 def _dropped_source(event: QDropEvent) -> str:
     """Return the first dropped file that can be opened; empty where there is none."""
     paths = (url.toLocalFile() for url in event.mimeData().urls())
-    return next((path for path in paths if path.lower().endswith(tuple(READERS))), "")
+    return next((path for path in paths if path.lower().endswith(readable_suffixes())), "")
