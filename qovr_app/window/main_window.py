@@ -60,14 +60,14 @@ class MainWindow(QMainWindow):
         if source is not None:
             self.session.open(source)
         self.controller = Controller(self.session, self)
-        self._worker = Worker(self)
+        self.worker = Worker(self)
         self._notices = Notices(self)
         self._preferences = preferences
         self._settings = DisplaySettings(theme=theme_in_force().name)
         if preferences:
             self._settings = preferences.display(self._settings)
-        self.workspace = Workspace(self.controller, self)
-        self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self, worker=self._worker)
+        self.workspace = Workspace(self.controller, self.worker, self)
+        self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self, worker=self.worker)
         self.colours = ColourDesk(self.session, self.controller, lambda: self.view, self)
         self._keeper: Keeper | None = None
         self._shown: tuple[Evaluation, Document] | None = None
@@ -88,7 +88,7 @@ class MainWindow(QMainWindow):
 
     def protect(self, store: RecoveryStore) -> None:
         """Keep what is not saved where a crash does not reach it, and offer what an earlier run left there."""
-        self._keeper = Keeper(self.session, store, self)
+        self._keeper = Keeper(self.session, store, self.worker, self)
         self._keeper.failed.connect(lambda reason: self.tell(reason, refused=True))
         self.desk.offer(store)
 
@@ -330,7 +330,7 @@ class MainWindow(QMainWindow):
             return
         self._remember_layout()
         self.desk.release()
-        self._worker.close()
+        self.worker.close()
         self._notices.close()
         if self._keeper is not None:
             self._keeper.close()
