@@ -11,7 +11,8 @@ from qovr_app.dialogs.export_dialog import ExportDialog
 from qovr_app.dialogs.figure_dialog import FigureDialog
 from qovr_app.state import requests
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import MessageShown, Opened, Saved, Stamp
+from qovr_app.state.intents import Opened, Saved, Stamp
+from qovr_app.state.looking_intents import MessageShown
 from qovr_app.store import Store
 from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_app.window.application import NAME

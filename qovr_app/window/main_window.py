@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
-from qovr_app.state.intents import Configured, DisplayChosen, MessageShown
+from qovr_app.state.intents import Configured
+from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.state.requests import SourceAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force

@@ -11,7 +11,8 @@ from PySide6.QtWidgets import QDialog, QWidget
 from qovr_app.dialogs.help_dialog import HelpDialog
 from qovr_app.dialogs.range_dialog import RangeDialog
 from qovr_app.state import requests
-from qovr_app.state.intents import RangeFixed, Request
+from qovr_app.state.intents import Request
+from qovr_app.state.looking_intents import RangeFixed
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.file_shell import FileShell

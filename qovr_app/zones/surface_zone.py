@@ -7,14 +7,8 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import (
-    Configured,
-    FormulationChosen,
-    Intent,
-    MessageOutdated,
-    MessageShown,
-    SamplesChosen,
-)
+from qovr_app.state.intents import Configured, FormulationChosen, Intent, SamplesChosen
+from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.state.requests import ExportAsked, FigureAsked
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
