@@ -12,7 +12,6 @@ from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.plots import Captioned
 from qovr_app.state.editor_state import EditorState, Focus
 from qovr_app.state.intents import ValuesEdited
-from qovr_app.state.number_texts import number_text
 from qovr_app.state.requests import DrawingAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
@@ -26,6 +25,7 @@ from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View
+from qovr_core.number_texts import number_text
 
 _CURVES = [(direction, k) for direction in Direction for k in range(NET_SIZE)]
 _SUBSCRIPTS = "₀₁₂₃₄"
