@@ -61,8 +61,18 @@ def test_digits_and_decimals(value, rounded, significant, fixed):
 
 @pytest.mark.parametrize(
     ("value", "text"),
-    [(0.0, "0"), (0.0634, "0.063"), (2.42e-5, "2e−5"), (4.44e-16, "4e−16"), (6.0, "6"), (106, "106"), (2e7, "2e7")]
-    + [(9.96, "10"), (123.4, "123"), (99999, "99999"), (1e5, "1e5")],
+    [
+        (0.0, "0"),
+        (0.0634, "0.063"),
+        (2.42e-5, "2e−5"),
+        (4.44e-16, "4e−16"),
+        (6.0, "6"),
+        (9.96, "10"),
+        (106, "106"),
+        (99999, "99999"),
+        (1e5, "1e5"),
+        (2e7, "2e7"),
+    ],
 )
 def test_short_texts(value, text):
     assert short_text(value) == text
