@@ -19,7 +19,8 @@ from qovr_app.state.names import ZONE_TITLES
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import Theme
 from qovr_core import Document, QovrError
-from qovr_core.edits import KnotPlace, Zone
+from qovr_core.edits import Zone
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import Influence, KnotMove, influence
 
 _NAME = "laboratory.influence"

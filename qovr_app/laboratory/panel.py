@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.scene.scene import NetIndex
 from qovr_core import Document
-from qovr_core.edits import KnotPlace
+from qovr_core.geometry.knots import KnotPlace
 
 Focus = KnotPlace | NetIndex | None
 """The knot whose field has the keyboard, or the control point (i, j) that is selected, whichever came last."""

@@ -17,8 +17,8 @@ from qovr_app.window.actions import Command
 from qovr_app.window.controller import Controller
 from qovr_app.window.session import Session
 from qovr_core import ParametricSurface
-from qovr_core.edits import KnotPlace
 from qovr_core.fields import Range
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.layer import Layer
 
 if TYPE_CHECKING:

@@ -12,7 +12,8 @@ from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_app.window.session import Session
 from qovr_core import Document, Evaluation, Formulation, QovrError, edits
 from qovr_core.arrays import Array
-from qovr_core.edits import KnotPlace, Place, Zone
+from qovr_core.edits import Place, Zone
+from qovr_core.geometry.knots import KnotPlace
 
 _T = TypeVar("_T")
 

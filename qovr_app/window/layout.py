@@ -15,7 +15,7 @@ from qovr_app.zones.knots_zone import KnotsZone
 from qovr_app.zones.points_zone import PointsZone
 from qovr_app.zones.surface_zone import SurfaceZone
 from qovr_app.zones.zone import FieldZone
-from qovr_core.edits import Direction, KnotPlace
+from qovr_core.geometry.knots import Direction, KnotPlace
 
 _LEFT, _MIDDLE = 264, 364
 """First widths of the two columns: as narrow as four digits stay readable, which leaves the view half of 1280."""

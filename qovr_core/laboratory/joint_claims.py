@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.edits import set_all_knots, set_points
 from qovr_core.geometry.knots import Knots
 from qovr_core.laboratory.measurement import Condition, Measurement
@@ -55,7 +55,7 @@ def _is_even(knots: Knots) -> bool:
 
 def crossing_examples(document: Document) -> tuple[Document, ...]:
     """Return the document with knots that meet the condition of C1, thrice, and with knots that miss either half."""
-    one = (_EVEN[1],) * NET_SIZE
+    one = (_EVEN[1],) * len(_EVEN)
     return (
         set_all_knots(document, Knots()),
         replace(document, row_knots=one, column_knots=_EVEN),
@@ -101,8 +101,8 @@ def _is_smooth(document: Document) -> bool:
 
 def _affine_net(net: Array) -> Array:
     """Return the net a + b i + c j nearest to a net."""
-    i, j = np.mgrid[:NET_SIZE, :NET_SIZE]
-    basis = np.stack([np.ones(NET_SIZE**2), i.ravel(), j.ravel()], axis=1)
+    i, j = np.indices(net.shape[:2])
+    basis = np.stack([np.ones(i.size), i.ravel(), j.ravel()], axis=1)
     fitted, *_ = np.linalg.lstsq(basis, net.reshape(-1, 3), rcond=None)
     affine: Array = (basis @ fitted).reshape(net.shape)
     return affine
