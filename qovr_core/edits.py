@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Direction, KnotPlace, Knots, knot_array
@@ -45,6 +45,11 @@ def knots_of(document: Document, direction: Direction) -> tuple[Knots, ...]:
     """Return the knots of the curves of a direction."""
     curves: tuple[Knots, ...] = getattr(document, direction.value)
     return curves
+
+
+def zone_of(place: Place) -> Zone:
+    """Return the part of the document in which a place lies."""
+    return Zone.CONTROL_POINTS if isinstance(place, CoordinatePlace) else Zone(place.direction.value)
 
 
 def set_point(document: Document, i: int, j: int, point: npt.ArrayLike) -> Document:
@@ -132,17 +137,20 @@ def set_values(document: Document, values: Mapping[Place, float]) -> Document:
     return replace(document, control_points=net, row_knots=rows, column_knots=columns)
 
 
-def linked_places(place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
+def linked_places(document: Document, place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
     """Return the places that change together with one knot.
 
     Parameters
     ----------
     curves : whether all curves of a direction share their knots
-    directions : whether both directions share their knots, curve by curve
+    directions : whether both directions share their knots, curve by curve, where both have that curve
     """
-    numbers = range(NET_SIZE) if curves else (place.curve,)
-    families = tuple(Direction) if directions else (place.direction,)
-    return tuple(KnotPlace(family, number, place.name) for family in families for number in numbers)
+    return tuple(
+        KnotPlace(family, number, place.name)
+        for family in (Direction if directions else (place.direction,))
+        for number in range(len(knots_of(document, family)))
+        if curves or number == place.curve
+    )
 
 
 def copy_zone(source: Document, target: Document, zone: Zone) -> Document:
