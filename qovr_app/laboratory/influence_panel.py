@@ -22,7 +22,8 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import theme_of
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.edits import KnotPlace, Zone
+from qovr_core.edits import Zone
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import Influence, KnotMove, influence
 from qovr_core.number_texts import percent_text
 

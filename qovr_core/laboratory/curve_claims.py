@@ -9,7 +9,7 @@ import numpy as np
 from qovr_core.arrays import Array
 from qovr_core.construction import build_patch
 from qovr_core.document import Document
-from qovr_core.edits import set_all_knots
+from qovr_core.edits import knots_of, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels, kernels
 from qovr_core.geometry.knots import Direction, Knots, knot_array
@@ -25,9 +25,10 @@ _LIFTED = Knots(s=0.6)
 
 
 def curve_names(document: Document) -> tuple[str, ...]:
-    """Return the names of a document's curves, rows before columns."""
-    counts = {Direction.ROWS: len(document.row_knots), Direction.COLUMNS: len(document.column_knots)}
-    return tuple(f"{direction.letter}_{k}" for direction, count in counts.items() for k in range(count))
+    """Return the names of the curves of a document, rows before columns."""
+    return tuple(
+        direction.curve_name(number) for direction in Direction for number in range(len(knots_of(document, direction)))
+    )
 
 
 def inverse(document: Document) -> Measurement:
@@ -110,23 +111,24 @@ S_IS_U = Condition("s_ip = u_ip (v_ip) on every curve", _all_quartic)
 
 def ends(document: Document) -> Measurement:
     """The weights at both ends are [0 0 1 0 0], (46), (48)."""
-    return _against_the_paper(document, _weights(document)[:, [0, -1]], [[0, 0, 1, 0, 0]] * 2, "weight")
+    return _against_the_paper(document, _weights(document), [[0, 0, 1, 0, 0]] * 2, "weight")
 
 
 def tangents(document: Document) -> Measurement:
     """The first derivatives of the weights at both ends are [0 -0.5 0 0.5 0], (51), (53)."""
     first = bernstein.derivative(_weights(document), 1)
-    return _against_the_paper(document, first[:, [0, -1]], [[0, -0.5, 0, 0.5, 0]] * 2, "first derivative")
+    return _against_the_paper(document, first, [[0, -0.5, 0, 0.5, 0]] * 2, "first derivative")
 
 
 def curvatures(document: Document) -> Measurement:
     """The second derivatives of the weights are [0 0 2 -4 2] at the start and [2 -4 2 0 0] at the end, (55), (57)."""
     second = bernstein.derivative(bernstein.derivative(_weights(document), 1), 1)
-    return _against_the_paper(document, second[:, [0, -1]], [[0, 0, 2, -4, 2], [2, -4, 2, 0, 0]], "second derivative")
+    return _against_the_paper(document, second, [[0, 0, 2, -4, 2], [2, -4, 2, 0, 0]], "second derivative")
 
 
-def _against_the_paper(document: Document, found: Array, paper: list[list[float]], of_what: str) -> Measurement:
-    """Compare the rows at both ends of all curves, (k, 2, 5), with the paper's, (2, 5)."""
+def _against_the_paper(document: Document, weights: Array, paper: list[list[float]], of_what: str) -> Measurement:
+    """Compare the rows at both ends of the ten curves' weights, (10, n, 5), with the paper's, (2, 5)."""
+    found = weights[:, [0, -1]]
     difference = np.abs(found - np.array(paper))
     curve = int(difference.max(axis=(1, 2)).argmax())
     start, end = (_row(row) for row in found[curve])

@@ -13,8 +13,9 @@ from qovr_core.document import Document
 from qovr_core.edits import set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import align, bounding_box
+from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import Knots, knot_array
-from qovr_core.geometry.patch import PATCH_DEGREE, Edge
+from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.curve_claims import curve_names
 from qovr_core.laboratory.measurement import Measurement
@@ -49,10 +50,10 @@ class KnotMoves:
 
     Parameters
     ----------
-    names : of all curves
-    curve : (k,) number of the curve whose knot moves
-    has_effect : (k,) whether the surface moves at all
-    box_keeps : (k,) whether the box of the raw samples is the same as before
+    names : the names of the ten curves
+    curve : (80,) which of them the knot belongs to
+    has_effect : (80,) whether the surface moves at all
+    box_keeps : (80,) whether the box of the raw samples is the same as before
     raw, transformed : how the edges move before and after T, which every move computes anew
     """
 
@@ -96,8 +97,7 @@ def edges_transformed(document: Document) -> Measurement:
 
 def box_examples(document: Document) -> tuple[Document, ...]:
     """Return two saddles over a rectangle, with the document's knots and with 0.5: they meet their box on the edges."""
-    rows, columns = document.control_points.shape[:2]
-    i, j = np.meshgrid(np.linspace(-1.0, 1.0, rows), np.linspace(-1.0, 1.0, columns), indexing="ij")
+    i, j = np.meshgrid(*(np.linspace(-1, 1, count) for count in document.control_points.shape[:2]), indexing="ij")
     box = bounding_box(document.control_points)
     extent = np.where(box[:, 1] > box[:, 0], box[:, 1] - box[:, 0], 1.0)
     net = box.mean(axis=1) + extent / 2 * np.stack([j, i, j * j - i * i], axis=-1)
@@ -181,7 +181,7 @@ def _sampled_boxes(patches: Array) -> Array:
 
 def _edge_points(patches: Array) -> Array:
     """Return samples of the four edges of patches (k, 7, 7, 3), in the order of ``Edge``, as (k, 4, n, 3)."""
-    edges = np.stack([patches[:, 0], patches[:, -1], patches[:, :, 0], patches[:, :, -1]], axis=1)
+    edges = np.stack([patches[:, *edge.position] for edge in Edge], axis=1)
     points: Array = bernstein.basis(PATCH_DEGREE, np.linspace(0, 1, SAMPLES[0])) @ edges
     return points
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,6 +14,7 @@ from qovr_core.edits import set_all_knots, set_points
 from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import bounding_box
+from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import Knots
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
@@ -41,20 +43,21 @@ _GRID = np.linspace(0, 1, 21)
 def local(document: Document) -> Measurement:
     """The displacement falls off exponentially with the distance from the moved point (abstract, 5.3)."""
     moved = point_displacements(document)
-    misfits = np.array([misfit_of_exponential(displacement) for displacement in moved])
-    rows, columns = document.control_points.shape[:2]
-    worst, middle = divmod(int(misfits.argmax()), columns), (rows // 2, columns // 2)
-    centre = moved[middle[0] * columns + middle[1]]
+    net_shape = moved.shape[:2]
+    misfits = np.array([misfit_of_exponential(moved[index]) for index in np.ndindex(net_shape)]).reshape(net_shape)
+    worst = np.unravel_index(misfits.argmax(), net_shape)
+    middle = tuple(count // 2 for count in net_shape)
+    centre = moved[middle]
     share = float((centre > _NOTICED * centre.max()).mean())
-    on_edges = max(centre[0].max(), centre[-1].max(), centre[:, 0].max(), centre[:, -1].max())
+    on_edges = max(centre[edge.position].max() for edge in Edge)
     part_on_edges = part_of(float(on_edges), float(centre.max()))
     edges = f"moves its edges by up to {part_on_edges:.2g} of that" if part_on_edges > ROUNDING else "keeps its edges"
     return Measurement(
         value=float(misfits.max()),
         what="misfit of the best exponential as part of the largest displacement",
-        holds=bool(misfits.max() <= FITS),
-        note="worst for P_{},{}; moving P_{},{} moves ".format(*worst, *middle) + f"{share:.0%} of the surface by "
-        f"more than {_NOTICED:.0%} of the largest displacement and {edges}",
+        holds=bool(misfits[worst] <= FITS),
+        note=f"worst for {_point_name(worst)}; moving {_point_name(middle)} moves {share:.0%} of the surface "
+        f"by more than {_NOTICED:.0%} of the largest displacement and {edges}",
     )
 
 
@@ -63,18 +66,22 @@ def point_displacements(document: Document) -> Array:
 
     Returns
     -------
-    (k, n, n) lengths of k points, i-major, indexed [iu, iv] on 21 x 21 parameters from 0 to 1
+    (5, 5, 21, 21) lengths, indexed [i, j, iu, iv] on 21 x 21 parameters from 0 to 1
     """
     net = document.control_points
     step = POINT_STEP * (document.net_size or 1.0) / np.sqrt(3)
-    count, columns = net[..., 0].size, net.shape[1]
-    nets = np.repeat(net[None], count, axis=0)
-    nets[range(count), *np.divmod(np.arange(count), columns)] += step
+    i, j = np.indices(net.shape[:2]).reshape(2, -1)
+    nets = np.repeat(net[None], len(i), axis=0)
+    nets[np.arange(len(i)), i, j] += step
     _, rows, columns = document_arrays(document)
     motion = document.formulation.build(nets, rows, columns) - build_patch(document).coefficients
     basis = bernstein.basis(PATCH_DEGREE, _GRID)
     lengths: Array = np.linalg.norm(np.einsum("ua,vb,kabd->kuvd", basis, basis, motion, optimize=True), axis=-1)
-    return lengths
+    return lengths.reshape(*net.shape[:2], *lengths.shape[1:])
+
+
+def _point_name(index: Sequence[int | np.intp]) -> str:
+    return "P_{},{}".format(*index)
 
 
 def misfit_of_exponential(displacement: Array) -> float:
