@@ -36,13 +36,9 @@ def typed_block(text: str) -> list[list[float]]:
     ------
     DocumentError : there is no cell, a cell holds no number, or the rows are of different lengths; it names the place
     """
-    rows = []
+    rows: list[list[float]] = []
     for r, line in enumerate(text.strip("\r\n").splitlines(), start=1):
-        cells = [typed_number(cell) for cell in line.split("\t")]
-        for c, cell in enumerate(cells, start=1):
-            if not isinstance(cell, float):
-                found = "empty" if cell is None else repr(cell)
-                raise DocumentError(f"row {r}, column {c} of what is pasted", found, "a number, as 0.35 or 0,35")
+        cells = [_pasted(cell, r, c) for c, cell in enumerate(line.split("\t"), start=1)]
         if rows and len(cells) != len(rows[0]):
             raise DocumentError(
                 f"row {r} of what is pasted", f"{len(cells)} cells long", f"{len(rows[0])} cells, as the rows above"
@@ -51,3 +47,11 @@ def typed_block(text: str) -> list[list[float]]:
     if not rows:
         raise DocumentError("what is pasted", "empty", "a block of numbers")
     return rows
+
+
+def _pasted(cell: str, row: int, column: int) -> float:
+    number = typed_number(cell)
+    if isinstance(number, float):
+        return number
+    found = "empty" if number is None else repr(number)
+    raise DocumentError(f"row {row}, column {column} of what is pasted", found, "a number, as 0.35 or 0,35")

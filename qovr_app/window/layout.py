@@ -53,9 +53,9 @@ class Layout(LineSplitter):
 
     def add_bars(self, edit_bar: QToolBar, view_bar: QToolBar) -> None:
         """Put the bars over what they belong to."""
-        for bar, side in ((edit_bar, self._zones_side), (view_bar, self._view_side)):
+        for bar, side in zip((edit_bar, view_bar), self._sides, strict=True):
             bar.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            side.layout().insertWidget(0, bar)
+            side.insertWidget(0, bar)
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         """Show a state in every part; each looks at what differs from before, None the first time."""
@@ -103,11 +103,7 @@ class Layout(LineSplitter):
         outer.setChildrenCollapsible(False)
         outer.setSizes([_VIEW, _LABORATORY])
         outer.setStretchFactor(0, 1)
-        for side, content in ((self._zones_side, inner), (self._view_side, outer)):
-            layout = QVBoxLayout(side)
-            layout.setContentsMargins(0, 0, 0, 0)
-            layout.setSpacing(0)
-            layout.addWidget(content, 1)
+        self._sides = [_side(side, content) for side, content in ((self._zones_side, inner), (self._view_side, outer))]
         self.addWidget(self._zones_side)
         self.addWidget(self._view_side)
         self.setCollapsible(1, False)
@@ -126,3 +122,12 @@ class Layout(LineSplitter):
             splitter.addWidget(part)
         self._splitters[name] = splitter
         return splitter
+
+
+def _side(side: QWidget, content: QWidget) -> QVBoxLayout:
+    """Return the layout of one side of the window, with room for a bar over its content."""
+    layout = QVBoxLayout(side)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(0)
+    layout.addWidget(content, 1)
+    return layout

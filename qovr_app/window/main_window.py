@@ -18,8 +18,11 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
-from qovr_app.window.file_shell import FileShell, opened_source
+from qovr_app.window.document_shell import DocumentShell, opened_source
+from qovr_app.window.export_shell import ExportShell
+from qovr_app.window.folder import Folder
 from qovr_app.window.layout import Layout
+from qovr_app.window.layout_shell import LayoutShell
 from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
 from qovr_app.window.message_line import MessageLine
 from qovr_app.window.preferences import Preferences
@@ -63,21 +66,21 @@ class MainWindow(QMainWindow):
         turn.timeout.connect(self.store.flush)
         self.worker, self._notices = Worker(self), Notices(self)
         self.parts = Layout(self.store, self.worker, self)
-        self._files = FileShell(
-            self.store,
-            self,
-            preferences,
-            self.worker,
-            save_view=self.parts.view_frame.save_figure,
-            commit_typed=self.parts.commit_typed,
+        folder, commit = Folder(preferences), self.parts.commit_typed
+        self._documents = DocumentShell(self.store, self, folder, commit)
+        exports = ExportShell(
+            self.store, self, folder, self.worker, save_view=self.parts.view_frame.save_figure, commit_typed=commit
         )
-        self._offer = RecoveryOffer(self._files, self.store.dispatch, self)
-        self.store.answer_with(Shell(self.store, self.parts, self._files, self._offer, self).perform)
+        self._offer = RecoveryOffer(self._documents, self.store.dispatch, self)
+        parts = LayoutShell(self.store, self.parts, self)
+        shell = Shell(parts.answers, self._documents.answers, exports.answers, self._offer.answers)
+        self.store.answer_with(shell.perform)
         self._actions = Actions(command_table(), self.store, self)
-        self._facts = QLabel(self, objectName="surface.facts")
+        self._facts = QLabel(self)
+        self._facts.setObjectName("surface.facts")
         self._message = MessageLine(self.store.dispatch, self)
         self._notices.noticed.connect(lambda text: self.store.dispatch(MessageShown(text)))
-        self._assemble()
+        self._assemble(folder)
         self._restore_layout()
         self.store.dispatch(Configured())
         self.store.flush()
@@ -96,7 +99,7 @@ class MainWindow(QMainWindow):
         self.store.subscribe(self._recovery.show_state)
         self._offer.offer(recovery)
 
-    def _assemble(self) -> None:
+    def _assemble(self, folder: Folder) -> None:
         self.parts.add_bars(make_edit_bar(self._actions, self), make_view_bar(self._actions, self))
         middle = QWidget(self)
         layout = QVBoxLayout(middle)
@@ -107,7 +110,7 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(middle)
         menus = fill_menu_bar(self.menuBar(), self._actions)
         presets = menus["File/Presets of the paper"].menuAction()
-        recent = RecentMenu(lambda: self._files.recent, self.store.dispatch, self)
+        recent = RecentMenu(lambda: folder.recent, self.store.dispatch, self)
         menus["File"].insertMenu(presets, recent)
         self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)
@@ -158,7 +161,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.parts.commit_typed()
-        if not self._files.may_leave():
+        if not self._documents.may_leave():
             event.ignore()
             return
         self._remember_layout()

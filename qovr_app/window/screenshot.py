@@ -74,7 +74,7 @@ def _screenshot(arguments: argparse.Namespace) -> int:
         )
     picture = take_picture(window, camera=arguments.camera)
     with replacing(arguments.out) as (draft,):
-        if not picture.save(str(draft), "PNG"):
+        if not picture.save(str(draft), b"PNG"):
             raise QovrError(f"{arguments.out}: the picture cannot be written")
     window.hide()
     window.deleteLater()
@@ -105,7 +105,7 @@ def take_picture(window: MainWindow, *, camera: str) -> QImage:
     surface = view.image()
     painter = QPainter(picture)
     painter.drawImage(view.mapTo(window, QPoint(0, 0)), surface)
-    mark = window.workspace.place.stale_mark
+    mark = window.parts.view_frame.stale_mark
     if mark.isVisible():
         painter.drawPixmap(mark.mapTo(window, QPoint(0, 0)), mark.grab())
     painter.end()
