@@ -9,31 +9,30 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.figures.curve_parts import (
-    BLENDED,
+from qovr_core.figures.curve_axes import (
     FONT,
+    INK,
     PARTS,
     QUIET,
     ROOM,
     SERIES,
     SMALL,
     WARN,
-    WHOLE,
     add_legend,
     add_names,
-    draw_blend,
-    draw_part,
-    draw_points,
-    frame,
-    knot_names,
-    legend,
+    frame_curve,
     settle,
-    style,
+    style_axes,
+    write_legend,
 )
 from qovr_core.geometry.knots import KNOT_NAMES
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
+
+_BLENDED = {"linewidth": 5.5, "alpha": 0.3, "solid_capstyle": "butt", "label": "blended segment"}
+_WHOLE = {"linewidth": 1.0, "label": "parabola"}
+_AUXILIARY = {"linewidth": 1.0, "dashes": (4, 2.5), "label": "auxiliary segment"}
 
 _SENSITIVITY = (0.3, 0.4, 0.5, 0.6, 0.7)
 
@@ -61,9 +60,9 @@ def draw_parabolas(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     """Return Figure 1a: the three parabolas, each by itself, and the segments of them that are blended."""
     figure, axes, plane = _drawing(curve, sheet)
     for p in range(3):
-        draw_part(axes, plane, curve, p, (0.0, 1.0), **WHOLE)
-        draw_part(axes, plane, curve, p, curve.blended[p], **BLENDED)
-    draw_points(axes, plane, curve)
+        _draw_part(axes, plane, curve, p, (0.0, 1.0), **_WHOLE)
+        _draw_part(axes, plane, curve, p, curve.blended[p], **_BLENDED)
+    _draw_points(axes, plane, curve)
     add_legend(figure, axes)
     settle(figure, axes, equal_scales=sheet.equal_scales)
     add_names(axes, plane, curve, [f"$P_{k}$" for k in range(5)])
@@ -73,10 +72,10 @@ def draw_parabolas(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
 def draw_knots(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     """Return Figure 1b: the blended curve, the places of the internal knots, and the auxiliary segments."""
     figure, axes, plane = _drawing(curve, sheet)
-    draw_blend(axes, plane, curve)
+    _draw_blend(axes, plane, curve)
     add_legend(figure, axes)
     settle(figure, axes, equal_scales=sheet.equal_scales)
-    add_names(axes, plane, curve, knot_names(curve))
+    add_names(axes, plane, curve, _knot_names(curve))
     return figure
 
 
@@ -93,14 +92,14 @@ def draw_sensitivity(curve: OneCurve, sheet: Sheet = _FOUR_CURVES) -> Any:
         for value, colour in zip(_SENSITIVITY, colours, strict=True):
             changed = replace(curve, knots=replace(curve.knots, **{name: value}))
             axes.plot(*plane.drawn(changed.at(SAMPLES)).T, color=colour, linewidth=1.4, label=f"{value:g}")
-        draw_points(axes, plane, curve)
+        _draw_points(axes, plane, curve)
         axes.set_title(f"${name}_{{ip}}$", fontsize=FONT + 1)
-        style(axes, plane, outer_only=True)
+        style_axes(axes, plane, outer_only=True)
         if sheet.equal_scales:
             axes.set_aspect("equal", adjustable="box")
         axes.margins(ROOM)
     handles, labels = grid[0, 0].get_legend_handles_labels()
-    legend(figure, handles, labels, title="value of the knot", title_fontsize=SMALL)
+    write_legend(figure, handles, labels, title="value of the knot", title_fontsize=SMALL)
     return figure
 
 
@@ -112,8 +111,8 @@ def draw_curve(curve: OneCurve, sheet: Sheet) -> Any:
     parts = figure.subplot_mosaic([["curve", "blends"], ["curve", "weights"], ["curve", "places"]], width_ratios=(5, 4))
     plane = plane_of(curve.points, sheet.view)
     axes = parts["curve"]
-    draw_blend(axes, plane, curve)
-    frame(axes, plane, curve)
+    _draw_blend(axes, plane, curve)
+    frame_curve(axes, plane, curve)
     axes.set_title(f"${curve.name}({curve.parameter})$", fontsize=FONT + 1)
     _draw_functions(parts["blends"], curve, curve.blends(SAMPLES), [f"$w_{p}$" for p in range(3)], PARTS)
     _draw_functions(parts["weights"], curve, curve.weights(SAMPLES), [f"$b_{k}$" for k in range(5)], SERIES)
@@ -123,8 +122,11 @@ def draw_curve(curve: OneCurve, sheet: Sheet) -> Any:
     add_legend(figure, axes)
     parts["places"].set_xlabel(f"${curve.parameter}$", fontsize=SMALL)
     settle(figure, axes, equal_scales=sheet.equal_scales)
-    add_names(axes, plane, curve, knot_names(curve))
+    add_names(axes, plane, curve, _knot_names(curve))
     return figure
+
+
+# The curve in its plane
 
 
 def _drawing(curve: OneCurve, sheet: Sheet) -> tuple[Any, Any, Plane]:
@@ -133,8 +135,50 @@ def _drawing(curve: OneCurve, sheet: Sheet) -> tuple[Any, Any, Plane]:
     figure = Figure(figsize=sheet.size, layout="constrained")
     axes = figure.add_subplot()
     plane = plane_of(curve.points, sheet.view)
-    frame(axes, plane, curve)
+    frame_curve(axes, plane, curve)
     return figure, axes, plane
+
+
+def _draw_part(axes: Any, plane: Plane, curve: OneCurve, p: int, part: tuple[float, float], **style: Any) -> None:
+    x = np.linspace(*part, len(SAMPLES))
+    axes.plot(*plane.drawn(curve.parabola(p, x)).T, color=PARTS[p], **style)
+
+
+def _draw_points(axes: Any, plane: Plane, curve: OneCurve) -> None:
+    points = plane.drawn(curve.points)
+    axes.plot(*points.T, color=QUIET, linewidth=0.7, linestyle=":", zorder=1)
+    axes.scatter(*points.T, s=26, c=SERIES, edgecolors="white", linewidths=0.6, zorder=5)
+
+
+def _draw_blend(axes: Any, plane: Plane, curve: OneCurve) -> None:
+    for p in range(3):
+        _draw_part(axes, plane, curve, p, (0.0, 1.0), **_WHOLE)
+        _draw_part(axes, plane, curve, p, curve.blended[p], **_BLENDED)
+        _draw_part(axes, plane, curve, p, curve.auxiliary[p], **_AUXILIARY)
+    name = f"${curve.direction.letter}({curve.parameter})$"
+    axes.plot(*plane.drawn(curve.at(SAMPLES)).T, color=INK, linewidth=1.8, zorder=3, label=name)
+    fold = curve.fold_back
+    if fold:
+        backward = plane.drawn(curve.at(np.linspace(*fold.backward, len(SAMPLES))))
+        axes.plot(*backward.T, color=WARN, linewidth=1.8, zorder=3, label="$s$ runs back")
+    ends = plane.drawn(curve.at(curve.landmarks))
+    axes.scatter(*ends.T, s=70, facecolors="none", edgecolors=INK, linewidths=0.8, zorder=4)
+    _draw_points(axes, plane, curve)
+
+
+def _knot_names(curve: OneCurve) -> list[str]:
+    """Return the names of the points, with what holds where the curve meets them."""
+    names = [f"$P_{k}$" for k in range(5)]
+    for p in range(3):
+        place = f"{curve.parameter} = {curve.landmarks[p]:.4g}"
+        knot = f"{PARABOLA_LETTERS[p]} = {PARABOLA_LETTERS[p]}_{{ip}} = {curve.internal_knots[p]:.4g}"
+        if p == 1:
+            place = f"{curve.parameter} = {curve.parameter}_{{ip}} = {curve.knots.u:.4g}"
+        names[p + 1] = f"$P_{p + 1}$\n${place}$\n${knot}$"
+    return names
+
+
+# Functions of the parameter
 
 
 def _draw_functions(axes: Any, curve: OneCurve, values: Array, names: Sequence[str], colours: Sequence[str]) -> None:

@@ -1,4 +1,4 @@
-"""The parts of a drawing of one curve in a plane: points, parabolas, the curve itself, and all their names."""
+"""The axes in which a curve is drawn: frame, scales, legend, and names that lie clear of lines."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
-from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
+from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, OneCurve
 from qovr_core.laboratory.planes import Plane
 from qovr_core.number_texts import MINUS
 
@@ -16,19 +16,15 @@ SERIES = ("#c9392b", "#be7000", "#148458", "#1c64d8", "#803eb2")
 """The colours of P_0..P_4; Q_p, w_p and its parameter take that of the point P_{p+1} at their knot."""
 
 PARTS = SERIES[1:4]
-_INK, QUIET, WARN = "#20242a", "#70767f", "#b06800"
+INK, QUIET, WARN = "#20242a", "#70767f", "#b06800"
 
 FONT, SMALL = 9, 8
 _GAP_POINTS = 5.0
 ROOM = 0.16
 """Kept free around the curve for labels, as a part of its extent."""
 
-BLENDED = {"linewidth": 5.5, "alpha": 0.3, "solid_capstyle": "butt", "label": "blended segment"}
-WHOLE = {"linewidth": 1.0, "label": "parabola"}
-_AUXILIARY = {"linewidth": 1.0, "dashes": (4, 2.5), "label": "auxiliary segment"}
 
-
-def frame(axes: Any, plane: Plane, curve: OneCurve) -> None:
+def frame_curve(axes: Any, plane: Plane, curve: OneCurve) -> None:
     """Give the drawing its range: what lies between the points, with room for labels."""
     seen = seen_points(curve, plane)
     low, high = seen.min(axis=0), seen.max(axis=0)
@@ -36,7 +32,7 @@ def frame(axes: Any, plane: Plane, curve: OneCurve) -> None:
     middle = (low + high) / 2
     for limit, centre, length in zip((axes.set_xlim, axes.set_ylim), middle, extent * (0.5 + ROOM), strict=True):
         limit(centre - length, centre + length)
-    style(axes, plane)
+    style_axes(axes, plane)
 
 
 def settle(figure: Any, axes: Any, *, equal_scales: bool) -> None:
@@ -60,8 +56,7 @@ def _equalise(axes: Any) -> None:
     axes.set_ylim(low[1], high[1])
 
 
-def style(axes: Any, plane: Plane, *, outer_only: bool = False) -> None:
-    """Name the axes by the plane's directions, and draw the frame quietly."""
+def style_axes(axes: Any, plane: Plane, *, outer_only: bool = False) -> None:
     across, up = plane.labels
     axes.set_xlabel(f"${across}$".replace(MINUS, "-"), fontsize=SMALL)
     axes.set_ylabel(f"${up}$".replace(MINUS, "-"), fontsize=SMALL)
@@ -72,36 +67,6 @@ def style(axes: Any, plane: Plane, *, outer_only: bool = False) -> None:
         axes.spines[side].set_color(QUIET)
     if outer_only:
         axes.label_outer()
-
-
-def draw_part(axes: Any, plane: Plane, curve: OneCurve, p: int, part: tuple[float, float], **style: Any) -> None:
-    """Draw a part of the parabola Q_p, between two values of its parameter."""
-    x = np.linspace(*part, len(SAMPLES))
-    axes.plot(*plane.drawn(curve.parabola(p, x)).T, color=PARTS[p], **style)
-
-
-def draw_points(axes: Any, plane: Plane, curve: OneCurve) -> None:
-    """Draw the five points and the line from one to the next."""
-    points = plane.drawn(curve.points)
-    axes.plot(*points.T, color=QUIET, linewidth=0.7, linestyle=":", zorder=1)
-    axes.scatter(*points.T, s=26, c=SERIES, edgecolors="white", linewidths=0.6, zorder=5)
-
-
-def draw_blend(axes: Any, plane: Plane, curve: OneCurve) -> None:
-    """Draw the curve over its parabolas, with its points and where it runs back."""
-    for p in range(3):
-        draw_part(axes, plane, curve, p, (0.0, 1.0), **WHOLE)
-        draw_part(axes, plane, curve, p, curve.blended[p], **BLENDED)
-        draw_part(axes, plane, curve, p, curve.auxiliary[p], **_AUXILIARY)
-    name = f"${curve.direction.letter}({curve.parameter})$"
-    axes.plot(*plane.drawn(curve.at(SAMPLES)).T, color=_INK, linewidth=1.8, zorder=3, label=name)
-    fold = curve.fold_back
-    if fold:
-        backward = plane.drawn(curve.at(np.linspace(*fold.backward, len(SAMPLES))))
-        axes.plot(*backward.T, color=WARN, linewidth=1.8, zorder=3, label="$s$ runs back")
-    ends = plane.drawn(curve.at(curve.landmarks))
-    axes.scatter(*ends.T, s=70, facecolors="none", edgecolors=_INK, linewidths=0.8, zorder=4)
-    draw_points(axes, plane, curve)
 
 
 def add_legend(figure: Any, axes: Any) -> None:
@@ -115,26 +80,13 @@ def add_legend(figure: Any, axes: Any) -> None:
             handle.update_from(line)
             handle.set_color(line.get_color() if line.get_color() not in PARTS else QUIET)
             handles.setdefault(line.get_label(), handle)
-    legend(figure, list(handles.values()), list(handles), handlelength=2.6)
+    write_legend(figure, list(handles.values()), list(handles), handlelength=2.6)
 
 
-def legend(figure: Any, handles: Sequence[Any], labels: Sequence[str], **style: Any) -> None:
-    """Put a legend in one row below the drawing."""
+def write_legend(figure: Any, handles: Sequence[Any], labels: Sequence[str], **style: Any) -> None:
     figure.legend(
         handles, labels, loc="outside lower center", ncols=len(labels), fontsize=SMALL, frameon=False, **style
     )
-
-
-def knot_names(curve: OneCurve) -> list[str]:
-    """Return the names of the points, with what holds where the curve meets them."""
-    names = [f"$P_{k}$" for k in range(5)]
-    for p in range(3):
-        place = f"{curve.parameter} = {curve.landmarks[p]:.4g}"
-        knot = f"{PARABOLA_LETTERS[p]} = {PARABOLA_LETTERS[p]}_{{ip}} = {curve.internal_knots[p]:.4g}"
-        if p == 1:
-            place = f"{curve.parameter} = {curve.parameter}_{{ip}} = {curve.knots.u:.4g}"
-        names[p + 1] = f"$P_{p + 1}$\n${place}$\n${knot}$"
-    return names
 
 
 def add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) -> None:
@@ -146,7 +98,7 @@ def add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) ->
     to_pixels = axes.transData.transform
     places = named_places(curve, plane, to_pixels)
     texts = [*names, *(f"$Q_{p}({PARABOLA_LETTERS[p]})$" for p in range(3))]
-    colours = [_INK] * 5 + list(PARTS)
+    colours = [INK] * 5 + list(PARTS)
     labels = [
         axes.annotate(text, place, (0, 0), textcoords="offset points", path_effects=halo, color=colour, **centre)
         for text, place, colour in zip(texts, places, colours, strict=True)
