@@ -13,12 +13,12 @@ from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, symbol
 from qovr_core import DocumentError
 from qovr_core.checks import checked_number, described
-from qovr_core.laboratory.comparison import DEFAULT_WEIGHT, RIVALS, Contender
-from qovr_core.laboratory.comparison_report import DESCRIPTIONS, NAMES
+from qovr_core.laboratory.comparison import DEFAULT_WEIGHT
+from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES, ComparisonSurface
 
 _NAME = "laboratory.comparison"
 _PLACEMENTS = {Placement.OVER: "over QOVR", Placement.BESIDE: "beside QOVR", None: "not in the view"}
-_FIRST_CONTENDER = Contender.B_SPLINE
+_FIRST_SURFACE = "b-spline"
 _FIELD_WIDTH = 64
 _TOOL_TIP = Qt.ItemDataRole.ToolTipRole
 
@@ -41,14 +41,14 @@ class ComparisonBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._contender = QComboBox(
+        self._surface = QComboBox(
             self, objectName=f"{_NAME}.surface", accessibleName="Surface shown in the view besides QOVR"
         )
-        for index, contender in enumerate(RIVALS):
-            self._contender.addItem(NAMES[contender], contender)
-            self._contender.setItemData(index, DESCRIPTIONS[contender], _TOOL_TIP)
-        self._contender.setCurrentIndex(RIVALS.index(_FIRST_CONTENDER))
-        self._contender.setToolTip("The surface of the same net that the view shows besides QOVR")
+        for index, (name, surface) in enumerate(COMPARISON_SURFACES.items()):
+            self._surface.addItem(surface.title, name)
+            self._surface.setItemData(index, surface.description, _TOOL_TIP)
+        self._surface.setCurrentIndex(list(COMPARISON_SURFACES).index(_FIRST_SURFACE))
+        self._surface.setToolTip("The surface of the same net that the view shows besides QOVR")
         self._placement = QComboBox(
             self, objectName=f"{_NAME}.placement", accessibleName="Where the view shows the surface"
         )
@@ -68,9 +68,9 @@ class ComparisonBar(QWidget):
         self._arrange()
 
     @property
-    def contender(self) -> Contender:
+    def surface(self) -> ComparisonSurface:
         """The surface that is looked at."""
-        return Contender(self._contender.currentData())
+        return COMPARISON_SURFACES[self._surface.currentData()]
 
     @property
     def placement(self) -> Placement | None:
@@ -98,7 +98,7 @@ class ComparisonBar(QWidget):
         self.view_changed.emit()
 
     def _connect(self) -> None:
-        for box in (self._contender, self._placement):
+        for box in (self._surface, self._placement):
             box.currentIndexChanged.connect(lambda _index: self._on_view_chosen())
         self._weight.value_edited.connect(lambda _weight, _gesture: self.weight_changed.emit())
         self._weight.refused.connect(lambda reason: self.refused.emit(reason and f"{reason}."))
@@ -108,7 +108,7 @@ class ComparisonBar(QWidget):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(SPACE)
-        layout.addWidget(self._contender)
+        layout.addWidget(self._surface)
         layout.addWidget(self._placement)
         layout.addWidget(self.distances)
         layout.addStretch(1)

@@ -11,6 +11,7 @@ from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
 from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
+from qovr_app.laboratory.pieces import comparison_pieces
 from qovr_app.state.display import Placement
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
@@ -19,18 +20,11 @@ from qovr_app.view3d.scene.comparison import Rival
 from qovr_app.view3d.scene.scene import Result
 from qovr_app.widgets.parts import symbol
 from qovr_core import AlignedPatch, Document, ParametricSurface, QovrError
-from qovr_core.laboratory.comparison import (
-    DEFAULT_POINT,
-    Comparison,
-    Contender,
-    Measures,
-    Trial,
-    comparison_steps,
-    rival_surface,
-)
-from qovr_core.laboratory.comparison_report import NAMES, copied_text
+from qovr_core.laboratory.comparison import DEFAULT_POINT, Comparison, ComparisonInput, Measures, compared_names
+from qovr_core.laboratory.comparison_report import copied_text
+from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
 
-Seen = tuple[Contender, Placement, tuple[int, int], float] | None
+Seen = tuple[ComparisonSurface, Placement, tuple[int, int], float] | None
 """What the view shows besides QOVR: a surface, where, the weighted point and its weight."""
 
 
@@ -46,8 +40,8 @@ class ComparisonPanel(LaboratoryPanel):
         super().__init__(parent)
         self._document: Document | None = None
         self._point = DEFAULT_POINT
-        self._trial: Trial | None = None
-        self._measures: dict[Contender, Measures] = {}
+        self._input: ComparisonInput | None = None
+        self._measures: dict[str, Measures] = {}
         self._seen: Seen = None
         self._work = IdleWork(self._begin, self)
         self._work.found.connect(self._on_found)
@@ -68,7 +62,7 @@ class ComparisonPanel(LaboratoryPanel):
     @property
     def is_current(self) -> bool:
         """Whether every measure shown is the document's."""
-        return len(self._measures) == len(Contender)
+        return len(self._measures) == len(compared_names())
 
     def use_commands(self, commands: dict[str, QAction]) -> None:
         self._bar.distances.use(commands["colour_by_distance"])
@@ -110,14 +104,14 @@ class ComparisonPanel(LaboratoryPanel):
         if placement is None:
             self._see(None)
         else:
-            self._see((self._bar.contender, placement, self._point, self._bar.weight))
+            self._see((self._bar.surface, placement, self._point, self._bar.weight))
 
     def _see(self, wanted: Seen) -> None:
         """Ask for what the view is to show besides QOVR, if that is something else."""
         if wanted == self._seen:
             return
         self._seen = wanted
-        self._table.show_contender(wanted and wanted[0])
+        self._table.show_compared(wanted and wanted[0].name)
         self.rival_requested.emit(wanted and _rival(*wanted))
 
     # Measuring
@@ -132,18 +126,18 @@ class ComparisonPanel(LaboratoryPanel):
         self._bar.set_copyable(False)
         self._work.restart()
 
-    def _begin(self) -> Iterator[tuple[Contender, Measures] | None]:
+    def _begin(self) -> Iterator[tuple[str, Measures] | None]:
         self._measures = {}
-        self._trial = Trial(self._document, self._point, self._bar.weight)
-        self._state.setText(f"{_motion_html(self._trial)} Measuring …")
-        return comparison_steps(self._trial)
+        self._input = ComparisonInput(self._document, self._point, self._bar.weight)
+        self._state.setText(f"{_motion_html(self._input)} Measuring …")
+        return comparison_pieces(self._input)
 
-    def _on_found(self, found: tuple[Contender, Measures]) -> None:
-        contender, measures = found
-        self._measures[contender] = measures
-        self._table.show_measures(contender, measures, self._trial.document.net_size)
+    def _on_found(self, found: tuple[str, Measures]) -> None:
+        name, measures = found
+        self._measures[name] = measures
+        self._table.show_measures(name, measures, self._input.document.net_size)
         if self.is_current:
-            self._state.setText(f"{_motion_html(self._trial)} Lengths are in the net's units.")
+            self._state.setText(f"{_motion_html(self._input)} Lengths are in the net's units.")
             self._bar.set_copyable(True)
 
     def _refuse(self, error: QovrError) -> None:
@@ -151,7 +145,7 @@ class ComparisonPanel(LaboratoryPanel):
         self._state.setText(f"Nothing to measure: {error}.")
 
     def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(copied_text(Comparison(self._trial, self._measures)))
+        QGuiApplication.clipboard().setText(copied_text(Comparison(self._input, self._measures)))
         self.told.emit("Copied the comparison", False)
 
     def _arrange(self) -> None:
@@ -163,13 +157,13 @@ class ComparisonPanel(LaboratoryPanel):
         layout.addWidget(self._table, 1)
 
 
-def _rival(contender: Contender, placement: Placement, point: tuple[int, int], weight: float) -> Rival:
+def _rival(surface: ComparisonSurface, placement: Placement, point: tuple[int, int], weight: float) -> Rival:
     def surface_of(result: Result) -> ParametricSurface:
-        return rival_surface(contender, result.document.control_points, point, weight)
+        return surface.build(result.document.control_points, point, weight)
 
-    return Rival(NAMES[contender], surface_of, placement)
+    return Rival(surface.title, surface_of, placement)
 
 
-def _motion_html(trial: Trial) -> str:
-    point = symbol_html("P", "{},{}".format(*trial.point))
-    return f"{point} moves by {trial.step:.4g} along <i>z</i>, a tenth of the net's size."
+def _motion_html(of: ComparisonInput) -> str:
+    point = symbol_html("P", "{},{}".format(*of.point))
+    return f"{point} moves by {of.step:.4g} along <i>z</i>, a tenth of the net's size."

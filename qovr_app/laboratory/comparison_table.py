@@ -9,10 +9,9 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTab
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
-from qovr_core.laboratory.comparison import Contender, Measures
-from qovr_core.laboratory.comparison_report import DESCRIPTIONS, NAMES, ROWS
+from qovr_core.laboratory.comparison import Measures, compared_names
+from qovr_core.laboratory.comparison_report import ROWS, surface_descriptions, surface_titles
 
-_CONTENDERS = tuple(Contender)
 _WIDEST_TEXT = "Catmull-Rom"
 _ROW_BEYOND_TEXT = 2
 _RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
@@ -22,10 +21,11 @@ class ComparisonTable(QTableWidget):
     """Shows measures as they come; those of the document before are pale until then."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(len(ROWS), 1 + len(_CONTENDERS), parent)
+        self._names, self._titles = compared_names(), surface_titles()
+        super().__init__(len(ROWS), 1 + len(self._names), parent)
         self.setObjectName("laboratory.comparison.table")
         self.setAccessibleName("Measures of the QOVR surface and of the classical surfaces of its net")
-        self._new: set[Contender] = set()
+        self._new: set[str] = set()
         self.setFont(number_font(self.font()))
         self.setFrameShape(QTableWidget.Shape.NoFrame)
         self.setShowGrid(False)
@@ -41,21 +41,21 @@ class ComparisonTable(QTableWidget):
         self._style_header()
         self.refresh_colours()
 
-    def show_contender(self, contender: Contender | None) -> None:
-        """Set apart the surface that the view shows besides QOVR, if any."""
-        for column, name in enumerate(_CONTENDERS, start=1):
+    def show_compared(self, shown: str | None) -> None:
+        """Set apart the surface that the view shows besides QOVR, if any, by its name."""
+        for column, name in enumerate(self._names, start=1):
             font = QFont(self.font())
-            font.setBold(name is contender)
+            font.setBold(name == shown)
             self.horizontalHeaderItem(column).setFont(font)
 
-    def show_measures(self, contender: Contender, measures: Measures, net_size: float) -> None:
+    def show_measures(self, name: str, measures: Measures, net_size: float) -> None:
         """Show the measures of one surface."""
-        self._new.add(contender)
+        self._new.add(name)
         for row, measure in enumerate(ROWS):
             text = measure.text(measures, net_size)
-            item = self.item(row, 1 + _CONTENDERS.index(contender))
+            item = self.item(row, 1 + self._names.index(name))
             item.setText(text)
-            spoken = f"{measure.label}, {NAMES[contender]}: {text}"
+            spoken = f"{measure.label}, {self._titles[name]}: {text}"
             item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
         self.refresh_colours()
 
@@ -76,8 +76,8 @@ class ComparisonTable(QTableWidget):
         ink, idle_ink = QColor(*theme_in_force().ink), QColor(*theme_in_force().idle_ink)
         for row in range(len(ROWS)):
             self.item(row, 0).setForeground(ink)
-            for column, contender in enumerate(_CONTENDERS, start=1):
-                self.item(row, column).setForeground(ink if contender in self._new else idle_ink)
+            for column, name in enumerate(self._names, start=1):
+                self.item(row, column).setForeground(ink if name in self._new else idle_ink)
 
     def selected_text(self) -> str:
         """Return what is selected, tab separated."""
@@ -117,7 +117,7 @@ class ComparisonTable(QTableWidget):
         )
 
     def _arrange_headers(self) -> None:
-        self.setHorizontalHeaderLabels(["measure", *(NAMES[contender] for contender in _CONTENDERS)])
+        self.setHorizontalHeaderLabels(["measure", *(self._titles[name] for name in self._names)])
         self.horizontalHeaderItem(0).setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         across, down = self.horizontalHeader(), self.verticalHeader()
         across.setHighlightSections(False)
@@ -125,10 +125,10 @@ class ComparisonTable(QTableWidget):
         across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         across.setMinimumSectionSize(8)
         width = self.fontMetrics().horizontalAdvance(_WIDEST_TEXT) + 4 * SPACE
-        for column, contender in enumerate(_CONTENDERS, start=1):
+        for column, name in enumerate(self._names, start=1):
             header = self.horizontalHeaderItem(column)
             header.setTextAlignment(_RIGHT)
-            header.setToolTip(DESCRIPTIONS[contender])
+            header.setToolTip(surface_descriptions()[name])
             across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
             across.resizeSection(column, width)
         down.setVisible(False)

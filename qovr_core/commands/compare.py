@@ -11,12 +11,13 @@ from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
 from qovr_core.files import read_source
 from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT, compare
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
+from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 
 
 def add_command(commands: Any) -> None:
-    command = commands.add_parser(
-        "compare", help="measure it beside Bezier, B-spline, NURBS and Catmull-Rom", epilog=SOURCE_HELP
-    )
+    *titles, last = (surface.title for surface in COMPARISON_SURFACES.values())
+    help_text = f"measure it beside {', '.join(titles)} and {last}"
+    command = commands.add_parser("compare", help=help_text, epilog=SOURCE_HELP)
     command.add_argument("source", metavar="SOURCE")
     command.add_argument(
         "--point",

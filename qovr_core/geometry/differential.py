@@ -17,6 +17,10 @@ class ParametricSurface(Protocol):
     ``Patch`` is one; so are the splines with which ``qovr_core.laboratory`` compares it.
     """
 
+    @property
+    def breaks(self) -> tuple[Array, Array]:
+        """The joints inside (0, 1) in u and in v, across which the surface is another polynomial."""
+
     def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative on a grid of (n,) and (m,) parameters, (n, m, 3)."""
 

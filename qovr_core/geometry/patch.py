@@ -18,6 +18,8 @@ PATCH_DEGREE = 6
 _SINGULAR = 1e-12
 """|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
 
+_NO_JOINTS = read_only(np.empty(0))
+
 
 class Edge(StrEnum):
     """The four edges of a patch."""
@@ -50,6 +52,11 @@ class Patch:
         if coefficients.shape != (PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3):
             raise ValueError(f"patch coefficients have shape {coefficients.shape}; expected (7, 7, 3)")
         object.__setattr__(self, "coefficients", read_only(coefficients))
+
+    @property
+    def breaks(self) -> tuple[Array, Array]:
+        """The joints inside (0, 1) in u and in v; one polynomial has none."""
+        return _NO_JOINTS, _NO_JOINTS
 
     def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the points S(u, v) on a grid.

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
+from collections.abc import Callable
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.checks import LARGEST_MAGNITUDE, described
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
 from qovr_core.evaluation import align_patch
@@ -18,8 +17,8 @@ from qovr_core.geometry.closest import closest_points
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.patch import Edge
 from qovr_core.geometry.rounding import in_own_unit
-from qovr_core.laboratory.shape_measures import Joints, bending_energy, interior_joints, joints, largest_distance
-from qovr_core.laboratory.splines import TensorSurface, b_spline, bezier, catmull_rom, nurbs
+from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
+from qovr_core.laboratory.shape_measures import Joints, bending_energy, joints, largest_distance
 
 DEFAULT_POINT = (2, 2)
 DEFAULT_WEIGHT = 4.0
@@ -35,32 +34,36 @@ _MOTION_SAMPLES = 201
 """Samples each way of the displacement: a share of the area is then told to about half a percent."""
 
 
-class Contender(StrEnum):
-    """The surfaces that are compared, in the order of the paper's Table 2 after its own."""
-
-    QOVR = "qovr"
-    BEZIER = "bezier"
-    B_SPLINE = "b-spline"
-    NURBS = "nurbs"
-    CATMULL_ROM = "catmull-rom"
-
-
-RIVALS = tuple(Contender)[1:]
-"""The classical surfaces, which a net alone gives."""
+REFERENCE = "qovr"
+"""Name of the document's own surface, the reference surface with which the others are compared."""
 
 
 @dataclass(frozen=True)
-class Measures:
-    """What is measured of one surface; lengths are in the net's units.
+class Motion:
+    """What moves of a surface when one point does; lengths are in the net's units.
 
     Parameters
     ----------
-    largest_motion : the largest displacement when the chosen point moves
+    largest_motion : the largest displacement
     shares : parts of the area of the unmoved surface displaced by more than each of ``SHARES`` of the largest
         displacement; NaN where the surface has no area
     edge_motion : largest displacement on each edge
     corner_motion : (2, 2) displacement of the corners, indexed [u, v]
-    distance_from_points : largest distance of the nine inner control points from the surface
+    """
+
+    largest_motion: float
+    shares: tuple[float, ...]
+    edge_motion: dict[Edge, float]
+    corner_motion: Array
+
+
+@dataclass(frozen=True)
+class Measures(Motion):
+    """What is measured of one surface: what moves with the chosen point, and what follows.
+
+    Parameters
+    ----------
+    distance_from_points : largest distance of the inner control points from the surface
     joints : the jumps at the interior joints; None where the surface has none
     bending_energy : integral of k_1^2 + k_2^2 over the area, without a unit; NaN where it does not converge, as
         where the surface folds back or has no area
@@ -68,10 +71,6 @@ class Measures:
     distance_of_qovr : largest distance of a point of the QOVR surface from this one
     """
 
-    largest_motion: float
-    shares: tuple[float, ...]
-    edge_motion: dict[Edge, float]
-    corner_motion: Array
     distance_from_points: float
     joints: Joints | None
     bending_energy: float
@@ -80,8 +79,8 @@ class Measures:
 
 
 @dataclass(frozen=True)
-class Trial:
-    """A document and the one motion under which every surface is measured.
+class ComparisonInput:
+    """A document and the one motion under which every surface of its net is measured.
 
     Parameters
     ----------
@@ -100,8 +99,10 @@ class Trial:
     weight: float = DEFAULT_WEIGHT
 
     def __post_init__(self) -> None:
-        if not (len(self.point) == 2 and all(index in range(NET_SIZE) for index in self.point)):
-            raise DocumentError("the point", described(list(self.point)), "i and j, each from 0 to 4")
+        rows, columns = self.document.control_points.shape[:2]
+        if not (len(self.point) == 2 and self.point[0] in range(rows) and self.point[1] in range(columns)):
+            both = f"each from 0 to {rows - 1}" if rows == columns else f"below {rows} and {columns}"
+            raise DocumentError("the point", described(list(self.point)), f"i and j, {both}")
         if not 0 < self.weight <= LARGEST_MAGNITUDE:
             raise DocumentError("the weight", described(self.weight), f"a positive number up to {LARGEST_MAGNITUDE:g}")
         if self.document.net_size == 0:
@@ -118,7 +119,7 @@ class Trial:
         moved = self.document.control_points[self.point] + [0.0, 0.0, self.step]
         return set_point(self.document, *self.point, moved)
 
-    def surface(self, contender: Contender, *, moved: bool = False) -> ParametricSurface:
+    def surface(self, name: str, *, moved: bool = False) -> ParametricSurface:
         """Return one of the surfaces, before or after the motion; T is computed again after it, as always.
 
         Raises
@@ -126,88 +127,77 @@ class Trial:
         EvaluationError : the QOVR surface has no finite coordinates
         """
         document = self.moved_document if moved else self.document
-        if contender is Contender.QOVR:
+        if name == REFERENCE:
             return align_patch(document).layer_patch(document.formulation.resting_layer)
-        return rival_surface(contender, document.control_points, self.point, self.weight)
+        return COMPARISON_SURFACES[name].build(document.control_points, self.point, self.weight)
 
 
 @dataclass(frozen=True)
 class Comparison:
-    """All surfaces of one net, measured alike."""
+    """All surfaces of one net, measured alike; measures by the surfaces' names, the QOVR surface first."""
 
-    trial: Trial
-    measures: dict[Contender, Measures]
-
-
-def rival_surface(
-    contender: Contender, net: Array, point: tuple[int, int] = DEFAULT_POINT, weight: float = DEFAULT_WEIGHT
-) -> TensorSurface:
-    """Return a classical surface of a net (5, 5, 3); the point and its weight shape the NURBS surface alone."""
-    weights = np.ones((NET_SIZE, NET_SIZE))
-    weights[point] = weight
-    surfaces = {
-        Contender.BEZIER: bezier,
-        Contender.B_SPLINE: b_spline,
-        Contender.NURBS: lambda net: nurbs(net, weights),
-        Contender.CATMULL_ROM: catmull_rom,
-    }
-    return surfaces[contender](net)
+    of: ComparisonInput
+    measures: dict[str, Measures]
 
 
-def compare(document: Document, point: tuple[int, int] = DEFAULT_POINT, weight: float = DEFAULT_WEIGHT) -> Comparison:
+def compared_names() -> tuple[str, ...]:
+    """Return the names of all surfaces that are measured, in the order in which they are shown."""
+    return (REFERENCE, *COMPARISON_SURFACES)
+
+
+def compare(
+    document: Document,
+    point: tuple[int, int] = DEFAULT_POINT,
+    weight: float = DEFAULT_WEIGHT,
+    report: Callable[[str, Measures], object] = lambda _name, _measures: None,
+) -> Comparison:
     """Measure the QOVR surface of a document and the classical surfaces of its net (the paper's Table 2).
 
-    Parameters and errors are those of ``Trial``.
+    Parameters
+    ----------
+    document, point, weight : as of ``ComparisonInput``
+    report : called with name and measures of each surface as soon as they are known; what it raises ends the work
+
+    Raises
+    ------
+    DocumentError, EvaluationError : as ``ComparisonInput`` does
     """
-    trial = Trial(document, point, weight)
-    return Comparison(trial, {found[0]: found[1] for found in comparison_steps(trial) if found is not None})
+    of = ComparisonInput(document, point, weight)
+    measures: dict[str, Measures] = {}
+    reference = of.surface(REFERENCE)
+    for name in compared_names():
+        measures[name] = measured(of, name, reference)
+        report(name, measures[name])
+    return Comparison(of, measures)
 
 
-def comparison_steps(trial: Trial) -> Iterator[tuple[Contender, Measures] | None]:
-    """Measure one surface after the other, in pieces of some ten milliseconds that end with None."""
-    steps = _steps(trial)
-    while True:
-        with np.errstate(all="ignore"):  # what overflows has no number, and is shown so
-            try:
-                found = next(steps)
-            except StopIteration:
-                return
-        yield found
+@np.errstate(all="ignore")  # what overflows has no number, and is shown so
+def measured(of: ComparisonInput, name: str, reference: ParametricSurface) -> Measures:
+    """Measure one surface; ``reference`` is the QOVR surface."""
+    surface = of.surface(name)
+    motion = motion_between(surface, of.surface(name, moved=True))
+    inner = of.document.control_points[1:-1, 1:-1].reshape(-1, 3)
+    is_other = name != REFERENCE
+    return Measures(
+        **vars(motion),
+        distance_from_points=float(closest_points(surface, inner).distance.max()),
+        joints=joints(surface),
+        bending_energy=bending_energy(in_own_unit(surface)[0]),
+        distance_from_qovr=largest_distance(surface, reference) if is_other else 0.0,
+        distance_of_qovr=largest_distance(reference, surface) if is_other else 0.0,
+    )
 
 
-def _steps(trial: Trial) -> Iterator[tuple[Contender, Measures] | None]:
-    qovr = trial.surface(Contender.QOVR)
-    for contender in Contender:
-        measures = yield from _measure(trial, contender, qovr)
-        yield contender, measures
-
-
-def _measure(trial: Trial, contender: Contender, qovr: ParametricSurface) -> Generator[None, None, Measures]:
-    """Measure one surface, piece by piece."""
-    surface, moved = (trial.surface(contender, moved=moved) for moved in (False, True))
+def motion_between(surface: ParametricSurface, moved: ParametricSurface) -> Motion:
+    """Return how far each point of a surface is from the one with its parameters on another."""
     u = np.linspace(0.0, 1.0, _MOTION_SAMPLES)
     in_unit, unit = in_own_unit(surface)
     motion = np.linalg.norm((moved.points(u, u) - surface.points(u, u)) / unit, axis=2) * unit
-    areas = _areas(in_unit, u)
-    yield
-    inner = trial.document.control_points[1:-1, 1:-1].reshape(-1, 3)
-    breaks = interior_joints(surface)
-    from_points, jumps = closest_points(surface, inner).distance.max(), joints(surface, breaks)
-    energy = bending_energy(in_unit, breaks)
-    yield
-    from_qovr = 0.0 if contender is Contender.QOVR else largest_distance(surface, qovr)
-    yield
-    of_qovr = 0.0 if contender is Contender.QOVR else largest_distance(qovr, surface)
-    return Measures(
+    return Motion(
         largest_motion=float(motion.max()),
-        shares=_shares(motion, areas),
+        shares=_shares(motion, _areas(in_unit, u)),
         edge_motion=_edge_motion(motion),
         corner_motion=read_only(motion[[[0], [-1]], [0, -1]]),
-        distance_from_points=float(from_points),
-        joints=jumps,
-        bending_energy=energy,
-        distance_from_qovr=from_qovr,
-        distance_of_qovr=of_qovr,
     )
 
 

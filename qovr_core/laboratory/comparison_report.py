@@ -9,23 +9,23 @@ from math import degrees, isfinite
 from typing import Any
 
 from qovr_core.geometry.patch import Edge
-from qovr_core.laboratory.comparison import SHARES, Comparison, Contender, Measures, Trial
+from qovr_core.laboratory.comparison import REFERENCE, SHARES, Comparison, ComparisonInput, Measures
+from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 
-NAMES = {
-    Contender.QOVR: "QOVR",
-    Contender.BEZIER: "Bezier",
-    Contender.B_SPLINE: "B-spline",
-    Contender.NURBS: "NURBS",
-    Contender.CATMULL_ROM: "Catmull-Rom",
-}
+_REFERENCE_TITLE = "QOVR"
+_REFERENCE_DESCRIPTION = "The document's own surface, in the layer that lies on the net."
 
-DESCRIPTIONS = {
-    Contender.QOVR: "The document's own surface, in the layer that lies on the net.",
-    Contender.BEZIER: "The bi-quartic Bezier surface of the net: one polynomial.",
-    Contender.B_SPLINE: "The clamped uniform bi-cubic B-spline surface of the net: 2 x 2 polynomials, C2.",
-    Contender.NURBS: "The B-spline surface with a weight of its own for the chosen point; all other weights are 1.",
-    Contender.CATMULL_ROM: "The uniform Catmull-Rom surface: 2 x 2 bi-cubic patches through the inner nine points, C1.",
-}
+
+def surface_titles() -> dict[str, str]:
+    """Return what people read of each surface that is compared, by its name."""
+    return {REFERENCE: _REFERENCE_TITLE, **{name: surface.title for name, surface in COMPARISON_SURFACES.items()}}
+
+
+def surface_descriptions() -> dict[str, str]:
+    """Return what each surface is, in one sentence, by its name."""
+    others = {name: surface.description for name, surface in COMPARISON_SURFACES.items()}
+    return {REFERENCE: _REFERENCE_DESCRIPTION, **others}
+
 
 _ROUNDING = 1e-12
 """A length below this part of the net's size is rounding, and is shown as 0; so is an angle in radians."""
@@ -135,26 +135,26 @@ ROWS = (
 """The measures, in the order in which they are shown."""
 
 
-def motion_text(trial: Trial) -> str:
+def motion_text(of: ComparisonInput) -> str:
     """Return the sentence that says what moves, and how the NURBS surface is weighted."""
-    i, j = trial.point
+    i, j = of.point
     return (
-        f"P_{i},{j} moves by {trial.step:.4g} along z, a tenth of the net's size; "
-        f"its weight in the NURBS surface is {trial.weight:g}."
+        f"P_{i},{j} moves by {of.step:.4g} along z, a tenth of the net's size; "
+        f"its weight in the NURBS surface is {of.weight:g}."
     )
 
 
 def comparison_text(comparison: Comparison) -> str:
     """Return the table for people, at most 100 columns wide."""
-    trial = comparison.trial
-    formulation, size = trial.document.formulation, trial.document.net_size
+    of, titles = comparison.of, surface_titles()
+    formulation, size = of.document.formulation, of.document.net_size
     widest = max(len(row.label) for row in ROWS)
     lines = [
-        motion_text(trial),
+        motion_text(of),
         f"QOVR is the {formulation} surface, {formulation.resting_layer}. Lengths are in the net's units.",
         "Areas move by more than 1 % and 10 % of the largest displacement; jumps are at interior joints.",
         "",
-        " " * widest + "".join(f"{NAMES[contender]:>13}" for contender in comparison.measures),
+        " " * widest + "".join(f"{titles[name]:>13}" for name in comparison.measures),
     ]
     for row in ROWS:
         texts = [row.text(measures, size) for measures in comparison.measures.values()]
@@ -164,25 +164,25 @@ def comparison_text(comparison: Comparison) -> str:
 
 def copied_text(comparison: Comparison) -> str:
     """Return the table for a spreadsheet: tab separated, every number in full, an empty cell for none."""
-    columns = comparison.measures
-    lines = [("measure", *(NAMES[contender] for contender in columns))]
+    columns, titles = comparison.measures, surface_titles()
+    lines = [("measure", *(titles[name] for name in columns))]
     for row in ROWS:
         values = (row.value(measures) for measures in columns.values())
         lines.append((row.label, *("" if value is None or not isfinite(value) else repr(value) for value in values)))
-    return motion_text(comparison.trial) + "\n" + "".join("\t".join(line) + "\n" for line in lines)
+    return motion_text(comparison.of) + "\n" + "".join("\t".join(line) + "\n" for line in lines)
 
 
 def comparison_facts(comparison: Comparison) -> dict[str, Any]:
     """Return the whole comparison, ready for JSON; None stands for what has no number."""
-    trial = comparison.trial
+    of = comparison.of
     return {
-        "formulation": str(trial.document.formulation),
-        "layer": str(trial.document.formulation.resting_layer),
-        "point": list(trial.point),
-        "weight": trial.weight,
-        "net_size": trial.document.net_size,
-        "step": trial.step,
-        "surfaces": {str(contender): _facts(measures) for contender, measures in comparison.measures.items()},
+        "formulation": str(of.document.formulation),
+        "layer": str(of.document.formulation.resting_layer),
+        "point": list(of.point),
+        "weight": of.weight,
+        "net_size": of.document.net_size,
+        "step": of.step,
+        "surfaces": {name: _facts(measures) for name, measures in comparison.measures.items()},
     }
 
 

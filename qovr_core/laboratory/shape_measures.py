@@ -10,7 +10,6 @@ import numpy as np
 from qovr_core.arrays import Array
 from qovr_core.geometry.closest import closest_points
 from qovr_core.geometry.differential import ParametricSurface
-from qovr_core.laboratory.splines import TensorSurface
 
 _DISTANCE_SAMPLES, _FINER_SAMPLES = 33, 9
 """Samples each way whose distance from another surface is taken, and between the neighbours of the farthest."""
@@ -41,13 +40,6 @@ class Joints:
     curvature: float
 
 
-def interior_joints(surface: ParametricSurface) -> tuple[Array, Array]:
-    """Return the parameters in u and in v inside (0, 1) where a surface is joined of several polynomials."""
-    if isinstance(surface, TensorSurface):
-        return surface.breaks
-    return np.empty(0), np.empty(0)
-
-
 def largest_distance(surface: ParametricSurface, other: ParametricSurface) -> float:
     """Return the largest distance of a surface from another.
 
@@ -68,12 +60,8 @@ def _distances(surface: ParametricSurface, other: ParametricSurface, u: Array, v
     return distance.reshape(len(u), len(v))
 
 
-def bending_energy(surface: ParametricSurface, breaks: tuple[Array, Array]) -> float:
-    """Return the integral of k_1^2 + k_2^2 over the area, by Gauss-Legendre quadrature on every piece.
-
-    Parameters
-    ----------
-    breaks : the joints of the pieces inside (0, 1), in u and in v
+def bending_energy(surface: ParametricSurface) -> float:
+    """Return the integral of k_1^2 + k_2^2 over the area, by Gauss-Legendre quadrature on every polynomial piece.
 
     Returns
     -------
@@ -82,15 +70,15 @@ def bending_energy(surface: ParametricSurface, breaks: tuple[Array, Array]) -> f
     """
     nodes, before = _FIRST_NODES, np.nan
     while nodes <= _MOST_NODES:
-        energy = _energy(surface, breaks, nodes)
+        energy = _energy(surface, nodes)
         if abs(energy - before) <= _ENERGY_SETTLED * energy + _NO_ENERGY:
             return energy
         nodes, before = 2 * nodes, energy
     return np.nan
 
 
-def _energy(surface: ParametricSurface, breaks: tuple[Array, Array], nodes: int) -> float:
-    (u, weights_u), (v, weights_v) = (_piecewise_nodes(joints, nodes) for joints in breaks)
+def _energy(surface: ParametricSurface, nodes: int) -> float:
+    (u, weights_u), (v, weights_v) = (_piecewise_nodes(joints, nodes) for joints in surface.breaks)
     curvature = surface.curvature(u, v)
     area = np.linalg.norm(np.cross(surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1)), axis=2)
     return float(weights_u @ ((4 * curvature.mean**2 - 2 * curvature.gaussian) * area) @ weights_v)
@@ -105,10 +93,10 @@ def _piecewise_nodes(breaks: Array, nodes: int) -> tuple[Array, Array]:
     return parameters, scaled
 
 
-def joints(surface: ParametricSurface, breaks: tuple[Array, Array]) -> Joints | None:
-    """Return what jumps across the joints in u and in v; None where there are none."""
+def joints(surface: ParametricSurface) -> Joints | None:
+    """Return what jumps across the joints of a surface's polynomials in u and in v; None where there are none."""
     along = np.linspace(0.0, 1.0, _JOINT_SAMPLES)
-    lines = [_line_across(surface, at, along, axis) for axis in (0, 1) for at in breaks[axis]]
+    lines = [_line_across(surface, at, along, axis) for axis in (0, 1) for at in surface.breaks[axis]]
     if not lines:
         return None
     angle, jump = np.max(lines, axis=0)

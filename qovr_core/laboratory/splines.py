@@ -1,4 +1,4 @@
-"""The classical tensor-product surfaces of a 5 x 5 net, which the paper's Table 2 sets beside its own."""
+"""The classical tensor-product surfaces of a net, which the paper's Table 2 sets beside its own."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.document import NET_SIZE
 from qovr_core.geometry import differential, grid
 from qovr_core.geometry.differential import Curvature
 
@@ -22,20 +21,22 @@ _SINGULAR = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Basis:
-    """Five basis functions over [0, 1].
+    """Basis functions over [0, 1].
 
     Parameters
     ----------
-    functions : called with parameters (n,) and an order of derivative, it returns (n, 5); at a joint the
+    count : how many there are
+    functions : called with parameters (n,) and an order of derivative, it returns (n, count); at a joint the
         derivatives are those from the right, beyond [0, 1] the outer polynomials go on
     breaks : (q,) the joints inside (0, 1) where two polynomials meet
     """
 
+    count: int
     functions: Callable[[Array, int], Array]
     breaks: Array
 
     def __call__(self, parameters: npt.ArrayLike, order: int) -> Array:
-        """Return the derivatives of all five functions, (n, 5); parameters that are no list raise ValueError."""
+        """Return the derivatives of all functions, (n, count); parameters that are no list raise ValueError."""
         x = np.asarray(parameters, dtype=np.float64)
         if x.ndim != 1:
             raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
@@ -51,9 +52,9 @@ class TensorSurface:
 
     Parameters
     ----------
-    net : (5, 5, 3) control points, ``[i, j]`` is P_{i,j}; kept as read-only float64
-    basis : the five functions that serve along u and along v
-    weights : (5, 5), positive; None for a surface that is not rational
+    net : (k, l, 3) control points, ``[i, j]`` is P_{i,j}; kept as read-only float64
+    basis_u, basis_v : the l functions B_j that serve along u, and the k functions B_i along v
+    weights : (k, l), positive; None for a surface that is not rational
 
     Raises
     ------
@@ -61,21 +62,27 @@ class TensorSurface:
     """
 
     net: Array
-    basis: Basis
+    basis_u: Basis
+    basis_v: Basis
     weights: Array | None = None
 
     def __post_init__(self) -> None:
         net = np.array(self.net, dtype=np.float64)
-        if net.shape != (NET_SIZE, NET_SIZE, 3):
-            raise ValueError(f"the net has shape {net.shape}; expected (5, 5, 3)")
+        if net.shape != (*self._counts, 3):
+            raise ValueError(f"the net has shape {net.shape}; expected {(*self._counts, 3)}")
         object.__setattr__(self, "net", read_only(net))
         if self.weights is not None:
-            object.__setattr__(self, "weights", _checked_weights(self.weights))
+            object.__setattr__(self, "weights", _checked_weights(self.weights, self._counts))
+
+    @property
+    def _counts(self) -> tuple[int, int]:
+        """Rows and columns of the net."""
+        return self.basis_v.count, self.basis_u.count
 
     @property
     def breaks(self) -> tuple[Array, Array]:
         """The joints inside (0, 1) in u and in v, across which the surface is another polynomial."""
-        return self.basis.breaks, self.basis.breaks
+        return self.basis_u.breaks, self.basis_v.breaks
 
     def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the points S(u, v) on a grid of (n,) and (m,) parameters, (n, m, 3) indexed [iu, iv]."""
@@ -121,8 +128,8 @@ class TensorSurface:
     ) -> Array:
         if min(order_u, order_v) < 0:
             raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 or more")
-        along_u = [self.basis(u, order) for order in range(order_u + 1)]
-        along_v = [self.basis(v, order) for order in range(order_v + 1)]
+        along_u = [self.basis_u(u, order) for order in range(order_u + 1)]
+        along_v = [self.basis_v(v, order) for order in range(order_v + 1)]
         if self.weights is None:
             return read_only(evaluate(self.net.transpose(1, 0, 2), along_u[-1], along_v[-1]))
         weighted = np.concatenate([self.weights[..., None] * self.net, self.weights[..., None]], axis=2)
@@ -136,61 +143,72 @@ class TensorSurface:
 
 
 def bezier(net: npt.ArrayLike) -> TensorSurface:
-    """Return the bi-quartic Bezier surface of a net (5, 5, 3)."""
-    return TensorSurface(np.asarray(net), _b_spline_basis(4))
+    """Return the Bezier surface of a net (k, l, 3): one polynomial, bi-quartic where the net is 5 x 5."""
+    return _tensor_surface(net, lambda count: _b_spline_basis(count, count - 1))
 
 
 def b_spline(net: npt.ArrayLike) -> TensorSurface:
-    """Return the clamped uniform bi-cubic B-spline surface of a net (5, 5, 3): 2 x 2 polynomials, C2."""
-    return TensorSurface(np.asarray(net), _b_spline_basis(3))
+    """Return the clamped uniform bi-cubic B-spline surface of a net (k, l, 3): 2 x 2 polynomials of 5 x 5, C2."""
+    return _tensor_surface(net, lambda count: _b_spline_basis(count, _CUBIC))
 
 
 def nurbs(net: npt.ArrayLike, weights: npt.ArrayLike) -> TensorSurface:
-    """Return the clamped uniform bi-cubic NURBS surface of a net (5, 5, 3) and weights (5, 5)."""
-    return TensorSurface(np.asarray(net), _b_spline_basis(3), np.asarray(weights))
+    """Return the clamped uniform bi-cubic NURBS surface of a net (k, l, 3) and weights (k, l)."""
+    return _tensor_surface(net, lambda count: _b_spline_basis(count, _CUBIC), np.asarray(weights))
 
 
 def catmull_rom(net: npt.ArrayLike) -> TensorSurface:
-    """Return the uniform Catmull-Rom surface of a net (5, 5, 3): 2 x 2 bi-cubic patches, C1.
+    """Return the uniform Catmull-Rom surface of a net (k, l, 3): 2 x 2 bi-cubic patches of 5 x 5, C1.
 
-    It runs through the inner nine points; like the QOVR surface it begins and ends at P_1 and P_3.
+    It runs through the inner points; like the QOVR surface it begins and ends at the last but one.
     """
-    return TensorSurface(np.asarray(net), _catmull_rom_basis())
+    return _tensor_surface(net, _catmull_rom_basis)
+
+
+_CUBIC = 3
+
+
+def _tensor_surface(
+    net: npt.ArrayLike, basis_of: Callable[[int], Basis], weights: Array | None = None
+) -> TensorSurface:
+    points = np.asarray(net, dtype=np.float64)
+    rows, columns = points.shape[:2]
+    return TensorSurface(points, basis_of(columns), basis_of(rows), weights)
 
 
 @cache
-def _b_spline_basis(degree: int) -> Basis:
-    """Return the five B-splines of a degree over clamped uniform knots; of degree 4 they are Bernstein's."""
+def _b_spline_basis(count: int, degree: int) -> Basis:
+    """Return the B-splines of a degree over clamped uniform knots; one more than their degree are Bernstein's."""
     from scipy.interpolate import BSpline
 
-    breaks = np.linspace(0.0, 1.0, NET_SIZE - degree + 1)[1:-1]
+    breaks = np.linspace(0.0, 1.0, count - degree + 1)[1:-1]
     knots = np.concatenate([np.zeros(degree + 1), breaks, np.ones(degree + 1)])
-    return _basis(BSpline(knots, np.eye(NET_SIZE), degree), breaks)
+    return _basis(count, BSpline(knots, np.eye(count), degree), breaks)
 
 
 @cache
-def _catmull_rom_basis() -> Basis:
-    """Return the cardinal functions of P_0..P_4: P_1, P_2, P_3 are met at 0, 1/2, 1, half the chord is the tangent."""
+def _catmull_rom_basis(count: int) -> Basis:
+    """Return the cardinal functions of P_0, P_1, ...: inner points are met evenly, half the chord is the tangent."""
     from scipy.interpolate import CubicHermiteSpline
 
-    unit = np.eye(NET_SIZE)
-    pieces = 2
-    tangents = pieces * (unit[2:] - unit[:-2]) / 2
-    return _basis(CubicHermiteSpline(np.linspace(0.0, 1.0, pieces + 1), unit[1:-1], tangents), np.array([0.5]))
+    unit = np.eye(count)
+    joints = np.linspace(0.0, 1.0, count - 2)
+    tangents = (count - 3) * (unit[2:] - unit[:-2]) / 2
+    return _basis(count, CubicHermiteSpline(joints, unit[1:-1], tangents), joints[1:-1])
 
 
-def _basis(spline: Any, breaks: Array) -> Basis:
+def _basis(count: int, spline: Any, breaks: Array) -> Basis:
     def functions(parameters: Array, order: int) -> Array:
         values: Array = spline(parameters, nu=order)
         return values
 
-    return Basis(functions, read_only(breaks))
+    return Basis(count, functions, read_only(breaks))
 
 
-def _checked_weights(weights: npt.ArrayLike) -> Array:
+def _checked_weights(weights: npt.ArrayLike, shape: tuple[int, int]) -> Array:
     checked = np.array(weights, dtype=np.float64)
-    if checked.shape != (NET_SIZE, NET_SIZE):
-        raise ValueError(f"the weights have shape {checked.shape}; expected (5, 5)")
+    if checked.shape != shape:
+        raise ValueError(f"the weights have shape {checked.shape}; expected {shape}")
     if not (np.isfinite(checked) & (checked > 0)).all():
         raise ValueError("a weight is not positive and finite; expected positive weights")
     return read_only(checked)

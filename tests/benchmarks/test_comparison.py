@@ -7,10 +7,11 @@ import time
 import numpy as np
 import pytest
 
+from qovr_app.laboratory.pieces import comparison_pieces
 from qovr_core import align_patch
 from qovr_core.evaluation import parameters
 from qovr_core.geometry.closest import closest_points
-from qovr_core.laboratory.comparison import Trial, comparison_steps
+from qovr_core.laboratory.comparison import ComparisonInput
 from qovr_core.laboratory.splines import b_spline
 from qovr_core.presets import preset
 from support.command import qovr
@@ -40,7 +41,7 @@ def test_closest_points(measure, row):
 def test_steps(row, name):
     longest, total = [], []
     for _ in range(RUNS):
-        steps = comparison_steps(Trial(preset(name).document))
+        steps = comparison_pieces(ComparisonInput(preset(name).document))
         times = np.array([time.perf_counter(), *(time.perf_counter() for _ in steps)])
         longest.append(1e3 * max(after - before for before, after in itertools.pairwise(times)))
         total.append(1e3 * (times[-1] - times[0]))

@@ -8,7 +8,7 @@ import pytest
 from qovr_core import Formulation, Knots
 from qovr_core.edits import set_all_knots
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.laboratory.comparison import Contender, compare
+from qovr_core.laboratory.comparison import compare, compared_names
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
 from qovr_core.presets import presets
 from support.command import qovr, refused
@@ -33,7 +33,7 @@ def test_point_and_weight_choose_what_moves_and_how_it_is_weighted(tmp_path):
     facts = json.loads(run.out)
     assert facts == json.loads(json.dumps(comparison_facts(compare(document, (1, 3), 2.5))))
     assert (facts["point"], facts["weight"], facts["layer"]) == ([1, 3], 2.5, "raw")
-    assert list(facts["surfaces"]) == [str(contender) for contender in Contender]
+    assert list(facts["surfaces"]) == list(compared_names())
     assert facts["surfaces"]["qovr"]["corner_motion"][1][0] == pytest.approx(facts["step"])
     assert facts["surfaces"]["bezier"]["tangent_jump_degrees"] is None
 

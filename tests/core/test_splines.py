@@ -206,6 +206,21 @@ def test_what_it_hands_out_is_read_only(make):
     assert surface.net[0, 0, 0] != 100
 
 
+@pytest.mark.parametrize(("rows", "columns"), [(5, 7), (7, 5), (7, 9)])
+def test_a_net_need_not_be_square(rows, columns):
+    """Points on a plane give that plane, run through without turning back; Catmull-Rom has the second corners."""
+    y, x = np.mgrid[:rows, :columns].astype(float)
+    net = np.stack([x, y, 0.5 * x - y], axis=-1)
+    for make in (bezier, b_spline, catmull_rom, lambda net: nurbs(net, np.ones((rows, columns)))):
+        points = make(net).points(U, V)
+        assert points[..., 2] == pytest.approx(0.5 * points[..., 0] - points[..., 1], abs=1e-13)
+        assert (np.diff(points[..., 0], axis=0) > 0).all()
+        assert (np.diff(points[..., 1], axis=1) > 0).all()
+    corners = catmull_rom(net).points([0.0, 1.0], [0.0, 1.0])
+    expected = [[[1, 1], [1, rows - 2]], [[columns - 2, 1], [columns - 2, rows - 2]]]
+    assert corners[..., :2] == pytest.approx(np.array(expected), abs=1e-13)
+
+
 def test_refusals():
     net = random_net(15)
     for bad in (np.zeros((5, 5)), np.zeros((4, 5))):
@@ -217,7 +232,7 @@ def test_refusals():
         with pytest.raises(ValueError, match="expected positive weights"):
             nurbs(net, weights)
     with pytest.raises(ValueError, match=r"expected \(5, 5, 3\)"):
-        TensorSurface(np.zeros((4, 4, 3)), bezier(net).basis)
+        TensorSurface(np.zeros((4, 4, 3)), bezier(net).basis_u, bezier(net).basis_v)
     with pytest.raises(ValueError, match="expected one dimension"):
         bezier(net).points(0.5, V)
     with pytest.raises(ValueError, match="expected 0 or more"):

@@ -29,6 +29,10 @@ class SphericalPatch:
         u, v = np.meshgrid(u, v, indexing="ij")
         return self.derivative_at(u, v, order_u, order_v)
 
+    @property
+    def breaks(self):
+        return np.empty(0), np.empty(0)
+
     def points(self, u, v):
         return self.derivative(u, v, 0, 0)
 

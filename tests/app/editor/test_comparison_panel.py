@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QTableWidget
 
 from qovr_app.laboratory.comparison_panel import ComparisonPanel
 from qovr_core import Formulation
-from qovr_core.laboratory.comparison import Contender, compare
-from qovr_core.laboratory.comparison_report import NAMES, ROWS
+from qovr_core.laboratory.comparison import compare, compared_names
+from qovr_core.laboratory.comparison_report import ROWS, surface_titles
 from support.editor import wait_until
 
-SURFACES = list(Contender)
+SURFACES = list(compared_names())
 
 
 @pytest.fixture
@@ -43,7 +43,7 @@ def texts(editor):
 
 def expected(document, **options):
     comparison = compare(document, **options)
-    size = comparison.trial.document.net_size
+    size = comparison.of.document.net_size
     return [[row.text(comparison.measures[surface], size) for surface in SURFACES] for row in ROWS]
 
 
@@ -53,7 +53,7 @@ def measured(editor):
 
 
 def test_the_table_holds_what_the_library_measures_and_follows_every_edit(editor):
-    assert [table(editor).horizontalHeaderItem(1 + k).text() for k in range(5)] == list(NAMES.values())
+    assert [table(editor).horizontalHeaderItem(1 + k).text() for k in range(5)] == list(surface_titles().values())
     assert measured(editor) == expected(editor.document)
     editor.type_into("control_points.P_2_2.z", "1.25", Qt.Key.Key_Return)
     assert not panel(editor).is_current
@@ -157,7 +157,7 @@ def test_the_numbers_can_be_copied_whole_and_in_part(editor):
     measured(editor)
     editor.click("laboratory.comparison.copy")
     lines = QGuiApplication.clipboard().text().splitlines()
-    assert lines[1].split("\t") == ["measure", *NAMES.values()]
+    assert lines[1].split("\t") == ["measure", *surface_titles().values()]
     cells = {line.split("\t")[0]: line.split("\t")[1:] for line in lines[2:]}
     energies = [float(text) for text in cells["bending energy"]]
     assert energies == [measures.bending_energy for measures in compare(editor.document).measures.values()]
