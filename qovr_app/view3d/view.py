@@ -15,9 +15,9 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.state.display import DisplaySettings, Projection
 from qovr_app.view3d.figure.figure import FigureOptions, save_figure
 from qovr_app.view3d.interaction.navigator import Navigator
-from qovr_app.view3d.interaction.probing import Place, place_under, reading_at
+from qovr_app.view3d.scene.probing import Place, place_under, reading_at
 from qovr_app.view3d.interaction.turn import Turn
-from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.painter.readout import readout_text
 from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera, fitted
 from qovr_app.view3d.scene.comparison import Rival

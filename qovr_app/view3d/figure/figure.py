@@ -10,7 +10,7 @@ from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QMarginsF, QRectF, QS
 from PySide6.QtGui import QColor, QImage, QPageSize, QPainter, QPdfWriter
 
 from qovr_app.view3d.painter.backdrop import draw_backdrop
-from qovr_app.view3d.painter.canvas import painting
+from qovr_app.style.canvas import painting
 from qovr_app.view3d.painter.overlay import draw_overlay
 from qovr_app.view3d.scene.camera import Size, fitted
 from qovr_app.view3d.scene.picture import Picture, margins

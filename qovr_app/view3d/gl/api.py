@@ -135,16 +135,24 @@ def set_integer(location: int, value: int) -> None:
     GL.glUniform1i(location, value)
 
 
-def begin_frame() -> None:
-    """Clear colours and depth."""
+def clear(red: float = 0.0, green: float = 0.0, blue: float = 0.0, opacity: float = 0.0) -> None:
+    """Fill everything with a colour, each part of it from 0 to 1, as if infinitely far away."""
+    GL.glClearColor(red, green, blue, opacity)
     GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
 
 
-def begin_image(width: int, height: int) -> None:
-    """Draw on all of a transparent image of so many pixels."""
+def use_viewport(width: int, height: int) -> None:
+    """Draw on so many pixels."""
     GL.glViewport(0, 0, width, height)
-    GL.glClearColor(0, 0, 0, 0)
-    begin_frame()
+
+
+def copy_colours(source: int, target: int, pixels: tuple[int, int]) -> None:
+    """Bring one framebuffer's colours into another of the same size, several samples a pixel into one; go on there."""
+    whole = (0, 0, *pixels)
+    GL.glBindFramebuffer(GL.GL_READ_FRAMEBUFFER, source)
+    GL.glBindFramebuffer(GL.GL_DRAW_FRAMEBUFFER, target)
+    GL.glBlitFramebuffer(*whole, *whole, GL.GL_COLOR_BUFFER_BIT, GL.GL_NEAREST)
+    GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, target)
 
 
 def draw_over(*, blended: bool) -> None:

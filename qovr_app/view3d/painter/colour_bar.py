@@ -15,7 +15,7 @@ from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
 from qovr_app.style.ticks import tick_positions, tick_texts
-from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
@@ -54,7 +54,7 @@ class _Bar:
 
 
 def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw the bar with its ticks and title; the picture has a scene. Where nothing has a value there is no bar."""
+    """Draw the bar with its ticks and title. Where nothing has a value there is no bar."""
     colouring = picture.colouring
     if math.isnan(colouring.limits[0]) and colouring.pattern is None:
         return

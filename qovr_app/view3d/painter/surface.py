@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
 from qovr_app.state.display import Style
-from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.mesh import Counts, surface_vertices
 from qovr_app.view3d.scene.picture import Picture
@@ -40,7 +40,7 @@ def surface_image(picture: Picture, size: Size, pixels: tuple[int, int]) -> QIma
 def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
     """Paint the surface of a picture; the painter's units are logical pixels."""
     scene, settings = picture.scene, picture.settings
-    if scene is None or not settings.surface:
+    if not settings.surface:
         return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     counts = _counts(picture)
@@ -56,7 +56,8 @@ def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
 
 def _counts(picture: Picture) -> Counts:
     limit = _MOVING_CELLS if picture.moving else _RESTING_CELLS
-    return tuple(min(count, limit + 1) for count in picture.counts)
+    n, m = picture.counts
+    return min(n, limit + 1), min(m, limit + 1)
 
 
 def _cells(values: Array) -> Array:

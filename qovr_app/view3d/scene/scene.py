@@ -1,17 +1,17 @@
-"""The scene: what one viewport shows, in the unit space; made from a result, never from its samples."""
+"""The scene: what one viewport shows, in the unit space; made from an evaluation, never from its samples."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 
 from qovr_app.state.display import Scaling
 from qovr_app.view3d.scene.frame import Frame, frame_around
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
-from qovr_core import CurveNetwork, Document, ParametricSurface, Patch, curve_network
+from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
 from qovr_core.edits import KnotPlace
 from qovr_core.evaluation import parameters
@@ -23,23 +23,6 @@ CURVE_POINTS = 49
 
 NetIndex = tuple[int, int]
 """Row i and column j of a control point."""
-
-
-class Result(Protocol):
-    """The part of ``qovr_core.Surface`` that the view reads: nothing of the size of the samples."""
-
-    @property
-    def document(self) -> Document: ...
-    @property
-    def patch(self) -> Patch: ...
-    @property
-    def control_box(self) -> Array: ...
-    @property
-    def raw_box(self) -> Array: ...
-    @property
-    def matrix(self) -> Array: ...
-    @property
-    def flat_axes(self) -> tuple[str, ...]: ...
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +43,7 @@ class Companions:
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """One layer of a result in its frame.
+    """One layer of an evaluation in its frame.
 
     Parameters
     ----------
@@ -68,12 +51,13 @@ class Scene:
     frame : the axes' limits and the way into the unit space
     patch : the surface in the unit space
     surface : the surface in the document's units
-    result : for the samples, the control points and the curves, and what its knots do
+    evaluation : what the surface is of, and what its knots do
+    document : whose control points and curves are shown: the evaluation's own, or one whose net has moved on
     surface_box, control_box : (3, 2) in the document's units
     companions : what it is looked at with
     name : of its surface where there are several, else empty
-    is_rival : whether the surface is not the document's, but one of the same control net that is compared with it
-    rival_name, rival_lines : a surface drawn over this one by its lines (k, n, 3) of the unit space; k is 0 without one
+    is_comparison : whether the surface is not the document's, but one of the same control net that is compared with it
+    lines_name, lines : another surface over this one, by its lines (k, n, 3) of the unit space; k is 0 without one
     peers : scenes beside this one in which a colour means the same
     """
 
@@ -81,63 +65,67 @@ class Scene:
     frame: Frame
     patch: ParametricSurface
     surface: ParametricSurface
-    result: Result
+    evaluation: Evaluation
+    document: Document
     surface_box: Array
     control_box: Array
     companions: Companions = field(default_factory=Companions)
     name: str = ""
-    is_rival: bool = False
-    rival_name: str = ""
-    rival_lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
+    is_comparison: bool = False
+    lines_name: str = ""
+    lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
     peers: list[Scene] = field(default_factory=list, init=False, repr=False)
     cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
-    @property
-    def document(self) -> Document:
-        """The document of the result."""
-        return self.result.document
-
     @cached_property
-    def knot_slope(self) -> Patch:
-        """dS/dknot for the companions' knot, in the document's units."""
+    def knot_slope(self) -> Patch | None:
+        """dS/dknot for the companions' knot, in the document's units; None where there is no knot to move."""
         from qovr_core.laboratory.sensitivity import knot_sensitivity
 
-        return knot_sensitivity(self.result, self.companions.knot, self.layer)
+        knot = self.companions.knot
+        if knot is None or self.is_comparison:
+            return None
+        return knot_sensitivity(self.evaluation, knot, self.layer)
 
     def beside(self, need: Need | None) -> ParametricSurface | None:
         """Return what a field with this need must be given; None where it needs nothing, or nothing is there."""
         if need is Need.REFERENCE:
             return self.companions.reference
-        has_slope = need is Need.KNOT and self.companions.knot is not None and not self.is_rival
-        return self.knot_slope if has_slope else None
+        return self.knot_slope if need is Need.KNOT else None
 
     def values(self, field: Field, counts: Counts, *, moving: bool) -> Array:
         """Return the values of a field on a grid, (n, m) float64 in the document's units; computed once."""
         finest = counts if field.finest is None else (field.finest[not moving],) * 2
         few = min(counts[0], finest[0]), min(counts[1], finest[1])
         if (field, few) not in self.cache:
-            beside = self.beside(field.needs)
-            self.cache[field, few] = field_values(field, self.surface, *map(parameters, few), beside)
+            u, v = (parameters(count) for count in few)
+            self.cache[field, few] = field_values(field, self.surface, u, v, self.beside(field.needs))
         return spread(self.cache[field, few], counts)
+
+    @property
+    def net_shape(self) -> tuple[int, int]:
+        """Rows and columns of the control net."""
+        rows, columns = self.document.control_points.shape[:2]
+        return rows, columns
 
     @cached_property
     def points(self) -> Array:
-        """The control points in the unit space, (5, 5, 3)."""
+        """The control points in the unit space, (k, l, 3): k rows of l."""
         return read_only(self.frame.to_unit(self.document.control_points))
 
     @cached_property
     def network(self) -> CurveNetwork:
-        """The ten curves of the document, in its own units."""
+        """The curves of the document, in its own units."""
         return curve_network(self.document)
 
     @cached_property
     def row_curves(self) -> Array:
-        """C_0(u) .. C_4(u) in the unit space, (5, k, 3)."""
+        """The curves C_i(u) in the unit space, (rows, ``CURVE_POINTS``, 3)."""
         return read_only(self.frame.to_unit(curve_points(self.network.rows, CURVE_POINTS)))
 
     @cached_property
     def column_curves(self) -> Array:
-        """K_0(v) .. K_4(v) in the unit space, (5, k, 3)."""
+        """The curves K_j(v) in the unit space, (columns, ``CURVE_POINTS``, 3)."""
         return read_only(self.frame.to_unit(curve_points(self.network.columns, CURVE_POINTS)))
 
 
@@ -147,28 +135,33 @@ def mapped_box(box: Array, matrix: Array) -> Array:
     return matrix[:3, :3].diagonal()[:, None] * box + matrix[:3, 3:]
 
 
-def scene_frame(result: Result, layer: Layer, scaling: Scaling, *others: Array) -> Frame:
+def scene_frame(evaluation: Evaluation, layer: Layer, scaling: Scaling, *others: Array) -> Frame:
     """Return the frame that holds a layer's surface and the control net, as in the paper's Figure 5, and others."""
-    return frame_around([_surface_box(result, layer), result.control_box, *others], scaling)
+    return frame_around([_surface_box(evaluation, layer), evaluation.control_box, *others], scaling)
 
 
-def make_scene(result: Result, layer: Layer, frame: Frame, companions: Companions | None = None) -> Scene:
-    """Return one layer of a result in a frame."""
-    matrix = frame.matrix if layer is Layer.RAW else frame.matrix @ result.matrix
-    box = _surface_box(result, layer)
-    surface = result.patch if layer is Layer.RAW else result.patch.transformed(result.matrix)
+def make_scene(
+    evaluation: Evaluation,
+    layer: Layer,
+    frame: Frame,
+    companions: Companions | None = None,
+    document: Document | None = None,
+) -> Scene:
+    """Return one layer of an evaluation in a frame, with the control points of a document or with its own."""
+    matrix = frame.matrix if layer is Layer.RAW else frame.matrix @ evaluation.matrix
     return Scene(
         layer=layer,
         frame=frame,
-        patch=result.patch.transformed(matrix),
-        surface=surface,
-        result=result,
-        surface_box=read_only(box),
-        control_box=result.control_box,
+        patch=evaluation.patch.transformed(matrix),
+        surface=evaluation.layer_patch(layer),
+        evaluation=evaluation,
+        document=document or evaluation.document,
+        surface_box=read_only(_surface_box(evaluation, layer)),
+        control_box=evaluation.control_box,
         companions=companions or Companions(),
     )
 
 
-def _surface_box(result: Result, layer: Layer) -> Array:
-    box = result.raw_box if layer is Layer.RAW else mapped_box(result.raw_box, result.matrix)
+def _surface_box(evaluation: Evaluation, layer: Layer) -> Array:
+    box = evaluation.raw_box if layer is Layer.RAW else mapped_box(evaluation.raw_box, evaluation.matrix)
     return np.array(box)

@@ -9,7 +9,7 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from qovr_app.state.display import LayerChoice, Scaling
-from qovr_app.view3d.interaction.probing import place_under, reading_at
+from qovr_app.view3d.scene.probing import place_under, reading_at
 from qovr_app.view3d.painter.readout import readout_rows, readout_text
 from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
 from qovr_app.view3d.scene.mesh import surface_vertices
