@@ -2,12 +2,19 @@
 
 ``configure(document)`` runs the whole pipeline. Importing this package loads NumPy and nothing else;
 files, figures and the command line live in ``qovr_core.files``, ``qovr_core.figures`` and ``qovr_core.cli``.
+
+>>> net = [[[j, i, i * j / 4] for j in range(5)] for i in range(5)]
+>>> surface = configure(Document(net, formulation="interpolating", samples=(3, 3)))
+>>> surface.raw[0, 0], surface.raw[-1, -1]  # P_{1,1} and P_{3,3}: points are indexed [iu, iv]
+(array([1.  , 1.  , 0.25]), array([3.  , 3.  , 2.25]))
+>>> surface.transformed[0, 0]  # moved and stretched by T onto the box of all control points
+array([0., 0., 0.])
 """
 
 from qovr_core.construction import CurveNetwork, build_patch, curve_network
 from qovr_core.document import Document
 from qovr_core.errors import DocumentError, EvaluationError, FileError, QovrError, SourceError
-from qovr_core.evaluation import AlignedPatch, Surface, align_patch, configure
+from qovr_core.evaluation import Evaluation, configure
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.differential import Curvature, ParametricSurface
 from qovr_core.geometry.knots import Knots
@@ -16,12 +23,12 @@ from qovr_core.layer import Layer
 
 __all__ = [
     "FORMULATIONS",
-    "AlignedPatch",
     "Curvature",
     "CurveNetwork",
     "Document",
     "DocumentError",
     "Edge",
+    "Evaluation",
     "EvaluationError",
     "FileError",
     "Formulation",
@@ -31,8 +38,6 @@ __all__ = [
     "Patch",
     "QovrError",
     "SourceError",
-    "Surface",
-    "align_patch",
     "build_patch",
     "configure",
     "curve_network",

@@ -35,6 +35,15 @@ class Document:
     Raises
     ------
     DocumentError : a value is out of its range, not finite, or of the wrong shape; it names the place
+
+    Examples
+    --------
+    >>> net = [[[j, i, i * j] for j in range(5)] for i in range(5)]
+    >>> document = Document(net, formulation="double-sum", samples=(11, 21))
+    >>> document.control_points[4, 1]
+    array([1., 4., 4.])
+    >>> print(document.formulation, document.row_knots[0])
+    double-sum Knots(r=0.5, s=0.5, u=0.5, t=0.5)
     """
 
     control_points: Array

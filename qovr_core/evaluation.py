@@ -2,63 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
+from threading import RLock
+from typing import Any, Final, TypeVar
 
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.construction import build_patch
+from qovr_core.construction import CurveNetwork, build_patch, curve_network
 from qovr_core.document import Document
-from qovr_core.geometry.alignment import align, bounding_box
+from qovr_core.geometry.alignment import Alignment, align, bounding_box
 from qovr_core.geometry.patch import Patch
 from qovr_core.layer import Layer
 
-
-@dataclass(frozen=True, eq=False)
-class AlignedPatch:
-    """A document's surface as a whole, with no samples of it; every array is float64 and read-only.
-
-    Parameters
-    ----------
-    document : what it was made from
-    patch : the raw surface, exact
-    control_box, raw_box : (3, 2) boxes of the control points and of the raw samples, columns min and max
-    matrix : (4, 4) the transformation T of (61)-(65)
-    flat_axes : axes along which the raw samples have no extent, so that ``matrix`` only moves there
-    """
-
-    document: Document
-    patch: Patch
-    control_box: Array
-    raw_box: Array
-    matrix: Array
-    flat_axes: tuple[str, ...]
-
-    @property
-    def transformed_patch(self) -> Patch:
-        """The transformed surface, exact."""
-        return self.patch.transformed(self.matrix)
-
-    def layer_patch(self, layer: Layer) -> Patch:
-        """Return the surface of a layer, exact."""
-        return self.patch if layer is Layer.RAW else self.transformed_patch
-
-
-@dataclass(frozen=True, eq=False)
-class Surface(AlignedPatch):
-    """The result of ``configure``: the aligned patch and its samples.
-
-    Parameters
-    ----------
-    u, v : (n,) and (m,) parameters of the samples, from 0 to 1
-    raw : (n, m, 3) samples of the raw surface, indexed [iu, iv]
-    transformed : (n, m, 3) the same after ``matrix``
-    """
-
-    u: Array
-    v: Array
-    raw: Array
-    transformed: Array
+_T = TypeVar("_T")
 
 
 def parameters(samples: int) -> Array:
@@ -66,35 +23,138 @@ def parameters(samples: int) -> Array:
     return read_only(np.linspace(0.0, 1.0, samples))
 
 
-def align_patch(document: Document) -> AlignedPatch:
-    """Compute a document's surface without keeping samples: what a view needs while something is dragged.
+class Evaluation:
+    """What a document's surface is: its exact patch at once, all else when it is asked for, and then once.
 
-    Boxes and matrix are those of ``configure``, of the document's own samples.
+    It never changes and may be asked from several threads. Every array is float64 and read-only.
 
-    Raises
-    ------
-    EvaluationError : the coordinates are not finite in double precision
-    """
-    patch = build_patch(document)
-    return _aligned(document, patch, patch.sampled_box(*map(parameters, document.samples)))
+    Parameters
+    ----------
+    document : what is evaluated
 
-
-def configure(document: Document) -> Surface:
-    """Compute a document's surface: raw samples, boxes, T, transformed samples (Figure 3, Algorithm 1).
+    Attributes
+    ----------
+    document : what was evaluated
+    patch : the raw surface, exact
 
     Raises
     ------
     EvaluationError : the coordinates are not finite in double precision
     """
-    patch = build_patch(document)
-    u, v = map(parameters, document.samples)
-    raw, raw_box = patch.points_and_box(u, v)
-    aligned = _aligned(document, patch, raw_box)
-    transformed = aligned.transformed_patch.points(u, v)
-    return Surface(**vars(aligned), u=u, v=v, raw=raw, transformed=transformed)
+
+    def __init__(self, document: Document) -> None:
+        self.document: Final = document
+        self.patch: Final = build_patch(document)
+        self._known: dict[str, Any] = {}
+        self._lock = RLock()
+
+    @property
+    def degree(self) -> tuple[int, int]:
+        """The surface's degree in u and in v, each 4 or 6."""
+        return self.patch.degree
+
+    @property
+    def network(self) -> CurveNetwork:
+        """The curves C_i(u) and K_j(v) of (42) and (43)."""
+        return self._once("network", lambda: curve_network(self.document))
+
+    @property
+    def control_box(self) -> Array:
+        """The box of the control points, (3, 2) with columns min and max."""
+        return self._once("control_box", lambda: bounding_box(self.document.control_points))
+
+    @property
+    def raw_box(self) -> Array:
+        """The box of the raw samples, (3, 2) with columns min and max; the samples are not kept for it."""
+        return self._once("raw_box", lambda: self.patch.sampled_box(self.u, self.v))
+
+    @property
+    def matrix(self) -> Array:
+        """The transformation T of (61)-(65), (4, 4); it acts on columns [x y z 1]."""
+        return self._alignment.matrix
+
+    @property
+    def flat_axes(self) -> tuple[str, ...]:
+        """The axes, of ``x``, ``y``, ``z``, along which the raw samples have no extent, so that T only moves there."""
+        return self._alignment.flat_axes
+
+    @property
+    def transformed_patch(self) -> Patch:
+        """The transformed surface, exact."""
+        return self._once("transformed_patch", lambda: self.patch.transformed(self.matrix))
+
+    def layer_patch(self, layer: Layer) -> Patch:
+        """Return the surface of a layer, exact."""
+        return self.patch if layer is Layer.RAW else self.transformed_patch
+
+    @property
+    def u(self) -> Array:
+        """The parameters of the samples along u, (n,) from 0 to 1."""
+        return self._once("u", lambda: parameters(self.document.samples[0]))
+
+    @property
+    def v(self) -> Array:
+        """The parameters of the samples along v, (m,) from 0 to 1."""
+        return self._once("v", lambda: parameters(self.document.samples[1]))
+
+    @property
+    def raw(self) -> Array:
+        """Samples of the raw surface, (n, m, 3) indexed [iu, iv]."""
+        return self._once("raw", self._sampled_raw)
+
+    @property
+    def transformed(self) -> Array:
+        """Samples of the transformed surface, (n, m, 3) indexed [iu, iv]."""
+        return self._once("transformed", lambda: self.transformed_patch.points(self.u, self.v))
+
+    def samples(self, layer: Layer) -> Array:
+        """Return the samples of a layer, (n, m, 3) indexed [iu, iv]."""
+        return self.raw if layer is Layer.RAW else self.transformed
+
+    def drop_samples(self) -> None:
+        """Forget all samples, which may be large; asked for again, they are computed again."""
+        with self._lock:
+            for name in ("raw", "transformed"):
+                self._known.pop(name, None)
+
+    @property
+    def _alignment(self) -> Alignment:
+        return self._once("alignment", lambda: align(self.raw_box, self.control_box))
+
+    def _sampled_raw(self) -> Array:
+        """Compute the raw samples, and with them their box at little cost."""
+        raw, box = self.patch.points_and_box(self.u, self.v)
+        self._known.setdefault("raw_box", box)
+        return raw
+
+    def _once(self, name: str, compute: Callable[[], _T]) -> _T:
+        """Return what is computed at most once, whichever thread asks first."""
+        with self._lock:
+            if name not in self._known:
+                self._known[name] = compute()
+            value: _T = self._known[name]
+            return value
 
 
-def _aligned(document: Document, patch: Patch, raw_box: Array) -> AlignedPatch:
-    control_box = bounding_box(document.control_points)
-    alignment = align(raw_box, control_box)
-    return AlignedPatch(document, patch, control_box, raw_box, alignment.matrix, alignment.flat_axes)
+def configure(document: Document) -> Evaluation:
+    """Run the paper's whole pipeline: raw samples, boxes, T, transformed samples (Figure 3, Algorithm 1).
+
+    Raises
+    ------
+    EvaluationError : the coordinates are not finite in double precision
+
+    Examples
+    --------
+    >>> import numpy as np, qovr_core
+    >>> y, x = np.mgrid[:5, :5]
+    >>> document = qovr_core.Document(np.stack([x, y, x * y], axis=-1), formulation="interpolating")
+    >>> evaluation = qovr_core.configure(document)
+    >>> evaluation.raw.shape, evaluation.transformed.shape, evaluation.matrix.shape
+    ((101, 101, 3), (101, 101, 3), (4, 4))
+    >>> evaluation.patch.points([0.5], [0.5]).tolist()
+    [[[2.0, 2.0, 4.0]]]
+    """
+    evaluation = Evaluation(document)
+    for layer in Layer:
+        evaluation.samples(layer)
+    return evaluation

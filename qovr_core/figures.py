@@ -12,11 +12,12 @@ from qovr_core.construction import curve_network
 from qovr_core.curve_figures import draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
-from qovr_core.evaluation import Surface, configure
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+from qovr_core.layer import Layer
 from qovr_core.presets import curve_case, figure_cases, network_case
 
 FIGURE_FORMATS = ("png", "svg", "pdf")
@@ -101,15 +102,15 @@ def _draw(name: str) -> Any:
     if name in _CURVE_FIGURES:
         return _CURVE_FIGURES[name](OneCurve(*curve_case()))
     case = figure_cases()[name]
-    return draw_figure(configure(case.preset.document), layer=case.layer, camera=case.camera)
+    return draw_figure(Evaluation(case.preset.document), layer=case.layer, camera=case.camera)
 
 
-def draw_figure(surface: Surface, *, layer: str, camera: str) -> Any:
+def draw_figure(evaluation: Evaluation, *, layer: str, camera: str) -> Any:
     """Return a matplotlib Figure that shows a surface as the paper does.
 
     Parameters
     ----------
-    surface : the configured surface
+    evaluation : of the document that is shown
     layer : ``raw`` or ``transformed``
     camera : ``paper`` (azimuth 36, elevation 64 degrees in MATLAB's sense) or ``top``
     """
@@ -119,8 +120,8 @@ def draw_figure(surface: Surface, *, layer: str, camera: str) -> Any:
     axes: Any = figure.add_subplot(projection="3d", proj_type="ortho", computed_zorder=False)
     axes.view_init(**_CAMERAS[camera])
     axes.set_box_aspect(None, zoom=_ZOOM[camera])
-    facets = _draw_facets(axes, surface.raw if layer == "raw" else surface.transformed)
-    _draw_control_points(axes, surface.document.control_points)
+    facets = _draw_facets(axes, evaluation.samples(Layer(layer)))
+    _draw_control_points(axes, evaluation.document.control_points)
     _label_axes(axes, from_above=camera == "top")
     figure.colorbar(facets, ax=axes, label="Z-Axis Value", shrink=0.72, pad=0.08)
     return figure

@@ -21,6 +21,16 @@ class Registry(Mapping[str, R]):
     ----------
     kind : what a record is, for messages
     key : gives the name under which a record is found
+
+    Examples
+    --------
+    >>> units = Registry("unit", key=str)
+    >>> units.seal()
+    >>> with units.register("mm"):
+    ...     units["mm"], units.extras()
+    ('mm', ('mm',))
+    >>> list(units)
+    []
     """
 
     def __init__(self, kind: str, key: Callable[[R], str] = attrgetter("name")) -> None:

@@ -6,23 +6,23 @@ from typing import Any
 
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.geometry.knots import Direction
 
 
-def surface_facts(surface: Surface) -> dict[str, Any]:
+def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
     """Return boxes, matrix, degree and knots out of range of a configured surface, ready for JSON."""
-    document = surface.document
+    document = evaluation.document
     return {
         "formulation": str(document.formulation),
         "samples": list(document.samples),
-        "degree": list(surface.patch.degree),
-        "control_box": surface.control_box.tolist(),
-        "raw_box": surface.raw_box.tolist(),
-        "exact_raw_box": surface.patch.bounding_box().tolist(),
-        "matrix": surface.matrix.tolist(),
-        "flat_axes": list(surface.flat_axes),
+        "degree": list(evaluation.patch.degree),
+        "control_box": evaluation.control_box.tolist(),
+        "raw_box": evaluation.raw_box.tolist(),
+        "exact_raw_box": evaluation.patch.bounding_box().tolist(),
+        "matrix": evaluation.matrix.tolist(),
+        "flat_axes": list(evaluation.flat_axes),
         "not_monotone": not_monotone(document),
         "without_effect": [
             f"{direction}[{curve}]"

@@ -19,10 +19,10 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
 from qovr_app.widgets.splitter import LineSplitter
-from qovr_core import FORMULATIONS, AlignedPatch, Document
-from qovr_core.laboratory.claims import Finding
+from qovr_core import FORMULATIONS, Document
+from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.laboratory.verify import CLAIMS, verify_steps
+from qovr_core.laboratory.verify import Finding, decide
 
 _FIRST_WIDTHS = (450, 200)
 
@@ -68,10 +68,10 @@ class ClaimsPanel(LaboratoryPanel):
         """Whether every verdict shown is the document's."""
         return self._found == self._all
 
-    def show_result(self, result: AlignedPatch) -> None:
+    def show_document(self, document: Document) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
-        self._table.show_formulation(result.document.formulation)
-        document = replace(result.document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
+        self._table.show_formulation(document.formulation)
+        document = replace(document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
         if document == self._document:
             return
         self._document, self._found = document, 0
@@ -93,9 +93,13 @@ class ClaimsPanel(LaboratoryPanel):
 
     # Looking for verdicts
 
-    def _begin(self) -> Iterator[Finding | None]:
+    def _begin(self) -> Iterator[Finding]:
         self._found, self._row = 0, []
-        return verify_steps(self._document)
+        return (
+            decide(claim, self._document, formulation)
+            for claim in CLAIMS.values()
+            for formulation in FORMULATIONS.values()
+        )
 
     def _on_found(self, finding: Finding) -> None:
         self._found += 1
@@ -134,7 +138,7 @@ class ClaimsPanel(LaboratoryPanel):
 
     def _open(self, kind: str) -> None:
         finding = self._table.current_finding()
-        title = f"{kind.capitalize()} to {finding.claim.id}, {finding.formulation}"
+        title = f"{kind.capitalize()} to {finding.claim.name}, {finding.formulation}"
         self.document_requested.emit(getattr(finding, kind), title)
 
     def _button(self, kind: str, tip: str) -> CompactButton:
@@ -183,7 +187,7 @@ def _details_html(finding: Finding) -> str:
         failing = "this document itself"
     measured = here.what[0].upper() + here.what[1:]
     paragraphs = [
-        f"<b>{_rich(claim.id)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
+        f"<b>{_rich(claim.name)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
         f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
         f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
         f"{_rich(measured)}: <b>{number(here.value)}</b> here, {number(finding.largest)} at most in all trials.",

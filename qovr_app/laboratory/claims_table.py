@@ -19,8 +19,8 @@ from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
 from qovr_core import FORMULATIONS, Formulation
-from qovr_core.laboratory.claims import Claim, Finding, Verdict
-from qovr_core.laboratory.verify import CLAIMS
+from qovr_core.laboratory.claims import CLAIMS, Claim
+from qovr_core.laboratory.verify import Finding, Verdict
 
 MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
 """Read without colour: a tick, a half, a cross."""
@@ -48,7 +48,7 @@ class ClaimsTable(QTableWidget):
         super().__init__(len(CLAIMS), 1 + len(FORMULATIONS), parent)
         self.setObjectName("laboratory.claims.table")
         self.setAccessibleName("The paper's claims and the verdict for every formulation")
-        self._formulations = list(FORMULATIONS.values())
+        self._claims, self._formulations = list(CLAIMS.values()), list(FORMULATIONS.values())
         self._of_document = self._formulations[0]
         self.setItemDelegate(_TwoLines(self))
         self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
@@ -61,7 +61,7 @@ class ClaimsTable(QTableWidget):
         self.setWordWrap(False)
         self._arrange_headers()
         self._style_header()
-        for row, claim in enumerate(CLAIMS):
+        for row, claim in enumerate(CLAIMS.values()):
             self._fill_row(row, claim)
         self.setCurrentCell(0, 1)
         self.currentItemChanged.connect(lambda _now, _before: self.finding_changed.emit(self.current_finding()))
@@ -79,13 +79,13 @@ class ClaimsTable(QTableWidget):
 
     def show_finding(self, finding: Finding) -> None:
         """Show a finding in its cell."""
-        item = self.item(CLAIMS.index(finding.claim), 1 + self._formulations.index(finding.formulation))
+        item = self.item(self._claims.index(finding.claim), 1 + self._formulations.index(finding.formulation))
         here = "holds" if finding.here.holds else "fails"
         item.setData(_FIRST, f"{MARKS[finding.verdict]} {finding.verdict}")
         item.setData(_SECOND, f"here {here} {number(finding.here.value)}")
         item.setData(_IS_OLD, False)
         item.setData(_FINDING, finding)
-        spoken = f"{finding.claim.id}, {finding.formulation}: {finding.verdict}"
+        spoken = f"{finding.claim.name}, {finding.formulation}: {finding.verdict}"
         spoken += f" {finding.condition}" if finding.condition else ""
         item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{spoken}; on this document it {here}")
         if finding is self.current_finding():
@@ -137,9 +137,9 @@ class ClaimsTable(QTableWidget):
 
     def _fill_row(self, row: int, claim: Claim) -> None:
         name = QTableWidgetItem()
-        name.setData(_FIRST, claim.id)
+        name.setData(_FIRST, claim.name)
         name.setData(_SECOND, claim.text)
-        name.setData(Qt.ItemDataRole.AccessibleTextRole, f"{claim.id}: {claim.text}, {claim.where}")
+        name.setData(Qt.ItemDataRole.AccessibleTextRole, f"{claim.name}: {claim.text}, {claim.where}")
         name.setToolTip(f"{claim.text}\n{claim.where}")
         self.setItem(row, 0, name)
         for column in range(1, self.columnCount()):

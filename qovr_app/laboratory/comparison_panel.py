@@ -17,9 +17,8 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.scene.comparison import Rival
-from qovr_app.view3d.scene.scene import Result
 from qovr_app.widgets.parts import symbol
-from qovr_core import AlignedPatch, Document, ParametricSurface, QovrError
+from qovr_core import Document, ParametricSurface, QovrError
 from qovr_core.laboratory.comparison import DEFAULT_POINT, Comparison, ComparisonInput, Measures, compared_names
 from qovr_core.laboratory.comparison_report import copied_text
 from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
@@ -67,10 +66,10 @@ class ComparisonPanel(LaboratoryPanel):
     def use_commands(self, commands: dict[str, QAction]) -> None:
         self._bar.distances.use(commands["colour_by_distance"])
 
-    def show_result(self, result: AlignedPatch) -> None:
+    def show_document(self, document: Document) -> None:
         """Measure again when nothing has changed for a while."""
-        if result.document != self._document:
-            self._document = result.document
+        if document != self._document:
+            self._document = document
             self._restart()
 
     def show_focus(self, focus: Focus) -> None:
@@ -158,8 +157,8 @@ class ComparisonPanel(LaboratoryPanel):
 
 
 def _rival(surface: ComparisonSurface, placement: Placement, point: tuple[int, int], weight: float) -> Rival:
-    def surface_of(result: Result) -> ParametricSurface:
-        return surface.build(result.document.control_points, point, weight)
+    def surface_of(document: Document) -> ParametricSurface:
+        return surface.build(document.control_points, point, weight)
 
     return Rival(surface.title, surface_of, placement)
 

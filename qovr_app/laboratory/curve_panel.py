@@ -16,7 +16,7 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
-from qovr_core import AlignedPatch, QovrError
+from qovr_core import Document, QovrError
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
@@ -47,7 +47,7 @@ class CurvePanel(LaboratoryPanel):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._result: AlignedPatch | None = None
+        self._document: Document | None = None
         self._curve: OneCurve | None = None
         self._choice = QComboBox(self, objectName="laboratory.curve.choice", accessibleName="Curve")
         self._choice.setToolTip("Which of the ten curves; it follows the knot whose field has the keyboard")
@@ -84,8 +84,8 @@ class CurvePanel(LaboratoryPanel):
         """The curve that is shown."""
         return self._curve
 
-    def show_result(self, result: AlignedPatch) -> None:
-        self._result = result
+    def show_document(self, document: Document) -> None:
+        self._document = document
         self._show_curve()
 
     def show_focus(self, focus: Focus) -> None:
@@ -157,10 +157,10 @@ class CurvePanel(LaboratoryPanel):
     # The curve
 
     def _show_curve(self) -> None:
-        if self._result is None:
+        if self._document is None:
             return
         try:
-            curve = curve_of(self._result.document, *_CURVES[self._choice.currentIndex()])
+            curve = curve_of(self._document, *_CURVES[self._choice.currentIndex()])
         except QovrError as error:
             self.told.emit(f"{error}.", True)
             return
@@ -206,7 +206,7 @@ class CurvePanel(LaboratoryPanel):
         curve = self._curve
         name = f"<b>{symbol_html(CURVE_LETTERS[curve.direction], str(curve.number))}</b>(<i>{curve.parameter}</i>)"
         short = f"{name}, degree {4 if curve.knots.is_quartic else 6}"
-        formulation = self._result.document.formulation
+        formulation = self._document.formulation
         if not formulation.is_active(curve.direction, curve.number):
             return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"
         return f"{short}&nbsp;&nbsp; broad: blended&nbsp;&nbsp; dashed: beyond its points", short
@@ -220,6 +220,6 @@ class CurvePanel(LaboratoryPanel):
 
     def _save_figure(self) -> None:
         if self._curve is not None:
-            kind, document = Drawing(self._drawing.currentText()), self._result.document
+            kind, document = Drawing(self._drawing.currentText()), self._document
             drawing = CurveDrawing(kind, self._curve, document, self._chosen_view, self._equal.isChecked())
             self.figure_requested.emit(drawing.name, drawing.write)

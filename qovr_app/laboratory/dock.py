@@ -15,7 +15,7 @@ from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
 from qovr_app.window.actions import Command
-from qovr_core import AlignedPatch
+from qovr_core import Document
 
 _FIRST_SIZE = QSize(640, 330)
 _LEAST_SIZE = QSize(320, 160)
@@ -75,7 +75,7 @@ _FIRST_NUMBER = 6
 class LaboratoryPlace(QWidget):
     """Tabs over the panel that is shown.
 
-    Hidden until a panel is asked for. Panels are told the latest theme, focus and result, and only while they are seen.
+    Hidden until a panel is asked for. Panels are told the latest theme, focus and document, while they are seen.
 
     Signals
     -------
@@ -99,7 +99,7 @@ class LaboratoryPlace(QWidget):
         self.setVisible(False)
         self.panels: dict[str, LaboratoryPanel] = {}
         self._commands: dict[str, QAction] = {}
-        self._result: AlignedPatch | None = None
+        self._document: Document | None = None
         self._focus: Focus = None
         self._last_told: dict[str, dict[str, Any]] = {}
         self._due = QTimer(self, singleShot=True, interval=0)
@@ -146,9 +146,9 @@ class LaboratoryPlace(QWidget):
         """Take the window's commands, for panels that offer one of them."""
         self._commands = commands
 
-    def show_result(self, result: AlignedPatch) -> None:
-        """Take the latest result; told at once, so that panel and view reach the screen in one frame."""
-        self._result = result
+    def show_document(self, document: Document) -> None:
+        """Take the document of the surface in the view; told at once, so that both reach the screen in one frame."""
+        self._document = document
         self._tell_panel()
 
     def show_focus(self, focus: Focus) -> None:
@@ -172,9 +172,9 @@ class LaboratoryPlace(QWidget):
         if panel is None or not panel.isVisible():
             return
         last = self._last_told.setdefault(self.shown, {})
-        news = {"theme": self._theme, "focus": self._focus, "result": self._result}
+        news = {"theme": self._theme, "focus": self._focus, "document": self._document}
         for subject, fact in news.items():
-            if fact is not last.get(subject, _NEVER) and not (subject == "result" and fact is None):
+            if fact is not last.get(subject, _NEVER) and not (subject == "document" and fact is None):
                 last[subject] = fact
                 getattr(panel, f"show_{subject}")(fact)
 

@@ -18,7 +18,7 @@ from qovr_app.laboratory.wording import percent_text, value_text
 from qovr_app.state.names import ZONE_TITLES
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import Theme
-from qovr_core import AlignedPatch, Document, QovrError
+from qovr_core import Document, QovrError
 from qovr_core.edits import KnotPlace, Zone
 from qovr_core.laboratory.influence import Influence, KnotMove, influence
 
@@ -60,9 +60,9 @@ class InfluencePanel(LaboratoryPanel):
         self._due.timeout.connect(self._show)
         self._arrange()
 
-    def show_result(self, result: AlignedPatch) -> None:
-        """Show the influence on the surface of a result."""
-        self._document = result.document
+    def show_document(self, document: Document) -> None:
+        """Show the influence on the surface of a document."""
+        self._document = document
         self._request()
 
     def show_focus(self, focus: Focus) -> None:

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.scene.scene import NetIndex
-from qovr_core import AlignedPatch
+from qovr_core import Document
 from qovr_core.edits import KnotPlace
 
 Focus = KnotPlace | NetIndex | None
@@ -18,8 +18,8 @@ Focus = KnotPlace | NetIndex | None
 class LaboratoryPanel(QWidget):
     """A panel that shows something of the configured surface and changes nothing by itself.
 
-    While it is visible, its place tells it the theme, the focus and the latest result: once when it becomes visible,
-    and then whenever they change. A result comes at most once in a turn of the event loop, before the turn's frame.
+    While it is visible, its place tells it the theme, the focus and the latest document: once when it becomes visible,
+    and then whenever they change. A document comes at most once in a turn of the event loop, before the turn's frame.
 
     Signals
     -------
@@ -39,8 +39,8 @@ class LaboratoryPanel(QWidget):
     def use_commands(self, commands: dict[str, QAction]) -> None:
         """Take the window's commands by name, once; panels that need none of them do nothing."""
 
-    def show_result(self, result: AlignedPatch) -> None:
-        """Show a result; every panel does it in its own way."""
+    def show_document(self, document: Document) -> None:
+        """Show the document of the surface in the view; every panel does it in its own way."""
 
     def show_focus(self, focus: Focus) -> None:
         """Show what belongs to the knot or point in focus; panels that have nothing to do with it do nothing."""

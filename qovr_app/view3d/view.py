@@ -23,10 +23,10 @@ from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera, fitted
 from qovr_app.view3d.scene.comparison import Rival
 from qovr_app.view3d.scene.frame import HALF_EXTENTS
 from qovr_app.view3d.scene.picture import Picture, margins
-from qovr_app.view3d.scene.scene import NetIndex, Result, Scene
+from qovr_app.view3d.scene.scene import NetIndex, Scene
 from qovr_app.view3d.scene.scenes import Stage
 from qovr_app.view3d.viewports import Panes
-from qovr_core import ParametricSurface
+from qovr_core import Document, Evaluation, ParametricSurface
 from qovr_core.edits import KnotPlace
 from qovr_core.fields import FIELDS, Need, Range
 
@@ -81,7 +81,7 @@ class View3D(QWidget):
 
     @property
     def settings(self) -> DisplaySettings:
-        """How the result is shown."""
+        """How the surface is shown."""
         return self._settings
 
     @property
@@ -113,13 +113,19 @@ class View3D(QWidget):
             caption=_caption(scene) if scene is not None and self._count > 1 else "",
         )
 
-    def set_result(self, result: Result) -> None:
-        """Show a result. The camera stays where it is; during a drag the axes' limits stay too."""
-        self._stage.set_result(result, self._settings, keep_limits=self._dragging)
+    def set_evaluation(self, evaluation: Evaluation, document: Document | None = None) -> None:
+        """Show an evaluation. The camera stays where it is; during a drag the axes' limits stay too.
+
+        Parameters
+        ----------
+        document : whose control points and curves are shown; None for the evaluation's own
+        """
+        shown = document or evaluation.document
+        self._stage.set_evaluation(evaluation, shown, self._settings, keep_limits=self._dragging)
         self._show_moving()
 
     def set_settings(self, settings: DisplaySettings) -> None:
-        """Show the result in another way."""
+        """Show the surface in another way."""
         before, self._settings = self._settings, settings
         if (before.layer, before.scaling) != (settings.layer, settings.scaling):
             self._stage.build(settings, keep_limits=False)
@@ -306,7 +312,7 @@ class View3D(QWidget):
         self.drag_cancelled.emit(gesture)
 
     def _end_drag(self) -> None:
-        """Let the axes' limits follow the result again."""
+        """Let the axes' limits follow the surface again."""
         self._dragging = False
         self._stage.build(self._settings, keep_limits=False)
         self._show_moving()

@@ -68,14 +68,14 @@ class ColourDesk(QObject):
 
     def pin(self) -> None:
         """Pin the surface configured last, in the layer that is shown; of two, in the one that lies on the net."""
-        result = self._controller.state.result
-        if result is None:
+        evaluation = self._controller.state.evaluation
+        if evaluation is None:
             self.told.emit("There is no surface to pin: configure one first (F5).")
             return
         shown = self._view().settings.layer
-        layer = result.document.formulation.resting_layer if shown is LayerChoice.BOTH else Layer(shown.value)
-        formulation = result.document.formulation
-        self._set(result.layer_patch(layer), f"{self._session.title}, {formulation}")
+        formulation = evaluation.document.formulation
+        layer = formulation.resting_layer if shown is LayerChoice.BOTH else Layer(shown.value)
+        self._set(evaluation.layer_patch(layer), f"{self._session.title}, {formulation}")
         self.told.emit(
             f"Pinned the {layer} surface of {self._session.title} ({formulation}) as the reference. "
             "View, Colour by, Distance shows how far a surface lies from it."

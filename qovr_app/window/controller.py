@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TypeVar
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_app.window.session import Session
-from qovr_core import AlignedPatch, Document, Formulation, QovrError, align_patch, edits
+from qovr_core import Document, Evaluation, Formulation, QovrError, edits
 from qovr_core.arrays import Array
 from qovr_core.edits import KnotPlace, Place, Zone
 
@@ -25,21 +25,21 @@ class State:
     ----------
     document : the active state
     draft : the same with what is edited and not yet set
-    result : the surface configured last; None where there is none
+    evaluation : of the document configured last; None where there is none
     """
 
     document: Document
     draft: Document
-    result: AlignedPatch | None
+    evaluation: Evaluation | None
 
     @property
     def is_stale(self) -> bool:
         """Whether the surface is not that of the document."""
-        return self.result is None or self.result.document != self.document
+        return self.evaluation is None or self.evaluation.document != self.document
 
 
 class Controller(QObject):
-    """Turns what the user wants into the next document, and every new document into a result.
+    """Turns what the user wants into the next document, and every new document into an evaluation.
 
     Live, an edit is set at once and the surface follows. Staged, an edit goes into the draft, ``set_zone`` brings a
     zone of the draft into the document, and ``configure`` computes. However often the document changes within one turn
@@ -47,12 +47,12 @@ class Controller(QObject):
 
     Signals
     -------
-    result_changed : an AlignedPatch to show; a stale one comes with the net as it is now
+    evaluation_changed : an Evaluation to show, and the document whose net is shown: a stale surface has a newer one
     state_changed : a State
     refused : one sentence that says why something was not done; empty when that is outdated
     """
 
-    result_changed = Signal(object)
+    evaluation_changed = Signal(object, object)
     state_changed = Signal(object)
     refused = Signal(str)
 
@@ -60,8 +60,8 @@ class Controller(QObject):
         super().__init__(parent)
         self._session = session
         self._draft = session.document
-        self._result: AlignedPatch | None = None
-        self._shown: tuple[AlignedPatch | None, Document | None] = (None, None)
+        self._evaluation: Evaluation | None = None
+        self._shown: tuple[Evaluation | None, Document | None] = (None, None)
         self._is_live = self._links_curves = True
         self._links_directions = False
         self._turn = QTimer(self, singleShot=True, interval=0)
@@ -72,7 +72,7 @@ class Controller(QObject):
     @property
     def state(self) -> State:
         """What is to be shown now."""
-        return State(self._session.document, self._draft, self._result)
+        return State(self._session.document, self._draft, self._evaluation)
 
     # How edits are taken
 
@@ -144,14 +144,14 @@ class Controller(QObject):
 
     def configure(self) -> None:
         """Compute the surface of the document as it stands, now."""
-        result = self._tried(lambda: align_patch(self._session.document))
-        if result is not None:
-            self._result = result
+        evaluation = self._tried(lambda: Evaluation(self._session.document))
+        if evaluation is not None:
+            self._evaluation = evaluation
         self._show()
 
     def settle(self) -> None:
         """Compute and show now what this turn of the event loop would end with."""
-        if self._result is None or (self._is_live and self.state.is_stale):
+        if self._evaluation is None or (self._is_live and self.state.is_stale):
             self.configure()
         else:
             self._show()
@@ -192,13 +192,10 @@ class Controller(QObject):
     def _show(self) -> None:
         self._turn.stop()
         state = self.state
-        shown = (state.result, state.document)
-        if state.result is not None and shown != self._shown:
+        evaluation, shown = state.evaluation, (state.evaluation, state.document)
+        if evaluation is not None and shown != self._shown:
             self._shown = shown
-            self.result_changed.emit(_with_net(state.result, state.document) if state.is_stale else state.result)
+            # A later document's net is shown, but not its knots: they may be such that no curve can be drawn.
+            document = edits.copy_zone(state.document, evaluation.document, Zone.CONTROL_POINTS)
+            self.evaluation_changed.emit(evaluation, document if state.is_stale else evaluation.document)
         self.state_changed.emit(state)
-
-
-def _with_net(result: AlignedPatch, document: Document) -> AlignedPatch:
-    """Return a result with the net of a later document; its knots may be such that no curve can be drawn."""
-    return replace(result, document=edits.copy_zone(document, result.document, Zone.CONTROL_POINTS))

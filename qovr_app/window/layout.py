@@ -62,7 +62,7 @@ class Workspace(LineSplitter):
         """Show a state in all zones."""
         for zone in self.field_zones:
             zone.show_documents(state.document, state.draft)
-        self.surface.show_state(state.document, state.result, is_stale=state.is_stale)
+        self.surface.show_state(state.document, state.evaluation, is_stale=state.is_stale)
         self.place.set_stale(state.is_stale)
         self.laboratory.set_stale(state.is_stale)
 
@@ -152,6 +152,6 @@ class Workspace(LineSplitter):
         for knots in (self.rows, self.columns):
             knots.knot_focused.connect(self.set_focus)
         self.points.point_focused.connect(lambda i, j: self.set_focus((i, j)))
-        controller.result_changed.connect(self.laboratory.show_result)
+        controller.evaluation_changed.connect(lambda _evaluation, document: self.laboratory.show_document(document))
         self.focus_changed.connect(self.laboratory.show_focus)
         self.laboratory.values_edited.connect(controller.edit)

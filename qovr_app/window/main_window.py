@@ -28,7 +28,7 @@ from qovr_app.window.view_commands import view_commands
 from qovr_app.window.window_commands import go_commands, help_commands, window_commands
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
-from qovr_core import AlignedPatch, Formulation
+from qovr_core import Document, Evaluation, Formulation
 from qovr_core.files.sources import READERS
 from qovr_core.presets import figure_cases
 
@@ -70,7 +70,7 @@ class MainWindow(QMainWindow):
         self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self, worker=self._worker)
         self.colours = ColourDesk(self.session, self.controller, lambda: self.view, self)
         self._keeper: Keeper | None = None
-        self._result: AlignedPatch | None = None
+        self._shown: tuple[Evaluation, Document] | None = None
         self._help: HelpDialog | None = None
         self._facts = QLabel(self, objectName="surface.facts")
         self._message = MessageLine(self)
@@ -144,7 +144,7 @@ class MainWindow(QMainWindow):
         history.canRedoChanged.connect(self.commands["redo"].setEnabled)
         history.undoTextChanged.connect(self._on_undo_text_changed)
         history.redoTextChanged.connect(self._on_redo_text_changed)
-        self.controller.result_changed.connect(self._on_result_changed)
+        self.controller.evaluation_changed.connect(self._on_evaluation_changed)
         self.controller.state_changed.connect(self._on_state_changed)
         self.controller.refused.connect(lambda text: self.tell(text, refused=True))
 
@@ -158,8 +158,8 @@ class MainWindow(QMainWindow):
         view.drag_finished.connect(lambda _gesture: self._message.clear())
         view.point_selected.connect(self._on_point_selected)
         view.fell_back.connect(self._on_fell_back)
-        if self._result is not None:
-            view.set_result(self._result)
+        if self._shown is not None:
+            view.set_evaluation(*self._shown)
         view.set_camera("paper", animated=False)
 
     def _on_fell_back(self, reason: str) -> None:
@@ -187,28 +187,28 @@ class MainWindow(QMainWindow):
         else:
             self.view.fit(animated=False)
 
-    def _on_result_changed(self, result: AlignedPatch) -> None:
-        before = self._result.document.formulation if self._result else Formulation.PUBLISHED
-        self._result = result
-        if result.document.formulation is not before:
-            self._show_layer_in_place()
+    def _on_evaluation_changed(self, evaluation: Evaluation, document: Document) -> None:
+        before = self._shown[0].document.formulation if self._shown else Formulation.PUBLISHED
+        self._shown = (evaluation, document)
+        if evaluation.document.formulation != before:
+            self._show_layer_in_place(evaluation)
         if self.workspace.place.view is not None:
-            self.workspace.place.view.set_result(result)
+            self.workspace.place.view.set_evaluation(evaluation, document)
 
-    def _show_layer_in_place(self) -> None:
+    def _show_layer_in_place(self, evaluation: Evaluation) -> None:
         """Show the layer that lies on the control net, unless both are shown."""
-        layer = self._result.document.formulation.resting_layer
+        layer = evaluation.document.formulation.resting_layer
         if self._settings.layer not in (LayerChoice.BOTH, layer):
             self.commands[f"layer_{layer}"].trigger()
 
     def _on_state_changed(self, state: State) -> None:
         self.commands["export"].setEnabled(not state.is_stale)
-        if state.result is None:
+        if state.evaluation is None:
             self._facts.setText("no surface ")
             return
-        (degree_u, degree_v), (n, m) = state.result.patch.degree, state.result.document.samples
+        (degree_u, degree_v), (n, m) = state.evaluation.degree, state.evaluation.document.samples
         stale = "stale   " if state.is_stale else ""
-        name = state.result.document.formulation
+        name = state.evaluation.document.formulation
         self._facts.setText(f"{stale}{name}   {n} × {m} samples   degree {degree_u} × {degree_v} ")
 
     def changeEvent(self, event: QEvent) -> None:

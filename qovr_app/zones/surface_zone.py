@@ -11,7 +11,7 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_table import NumberTable
 from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
 from qovr_app.zones.samples_field import SamplesField
-from qovr_core import FORMULATIONS, AlignedPatch, Document
+from qovr_core import FORMULATIONS, Document, Evaluation
 
 
 class SurfaceZone(QFrame):
@@ -62,15 +62,15 @@ class SurfaceZone(QFrame):
         self._figure.clicked.connect(self.figure_requested)
         self._arrange()
 
-    def show_state(self, document: Document, result: AlignedPatch | None, *, is_stale: bool) -> None:
+    def show_state(self, document: Document, evaluation: Evaluation | None, *, is_stale: bool) -> None:
         """Show what the document asks for, and the numbers of the surface configured last."""
         with QSignalBlocker(self._formulation):
             self._formulation.setCurrentIndex(self._formulation.findText(document.formulation.name))
         self._formulation.setToolTip(document.formulation.description)
         for field, count in zip(self._samples, document.samples, strict=True):
             field.show_count(count)
-        self._show_result(result)
-        self._show_stale(result, is_stale)
+        self._show_numbers(evaluation)
+        self._show_stale(evaluation, is_stale)
 
     def focus_first(self) -> None:
         """Bring the keyboard to the first control."""
@@ -81,15 +81,15 @@ class SurfaceZone(QFrame):
         for field in self._samples:
             field.revert()
 
-    def _show_result(self, result: AlignedPatch | None) -> None:
-        if result is None:
+    def _show_numbers(self, evaluation: Evaluation | None) -> None:
+        if evaluation is None:
             self._boxes.show_numbers(np.full((3, 4), np.nan))
             self._matrix.show_numbers(np.full((4, 4), np.nan))
             return
-        self._boxes.show_numbers(np.hstack([result.control_box, result.raw_box]))
-        self._matrix.show_numbers(result.matrix)
+        self._boxes.show_numbers(np.hstack([evaluation.control_box, evaluation.raw_box]))
+        self._matrix.show_numbers(evaluation.matrix)
 
-    def _show_stale(self, result: AlignedPatch | None, is_stale: bool) -> None:
+    def _show_stale(self, evaluation: Evaluation | None, is_stale: bool) -> None:
         self._configure.set_due(is_stale)
         self._export.setEnabled(not is_stale)
         self._export.setToolTip(
@@ -99,7 +99,7 @@ class SurfaceZone(QFrame):
         )
         for table in (self._boxes, self._matrix):
             table.set_quiet(is_stale)
-        flat = ", ".join(result.flat_axes) if result is not None else ""
+        flat = ", ".join(evaluation.flat_axes) if evaluation is not None else ""
         if is_stale:
             self._say("older than what is set", "View and numbers are of the surface configured last.")
         elif flat:

@@ -6,7 +6,7 @@ import argparse
 from typing import Any
 
 from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
-from qovr_core.evaluation import configure
+from qovr_core.evaluation import Evaluation
 from qovr_core.files import read_source
 
 
@@ -20,7 +20,7 @@ def add_command(commands: Any) -> None:
 def _info(arguments: argparse.Namespace) -> int:
     from qovr_core.report import facts_text, surface_facts
 
-    facts = surface_facts(configure(read_source(arguments.source)))
+    facts = surface_facts(Evaluation(read_source(arguments.source)))
     if arguments.json:
         print_json(facts)
     else:

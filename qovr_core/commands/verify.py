@@ -15,7 +15,7 @@ from qovr_core.files import read_source, write_document
 from qovr_core.files.qovr_document import document_to_json
 
 if TYPE_CHECKING:
-    from qovr_core.laboratory.claims import Finding
+    from qovr_core.laboratory.verify import Finding
 
 
 def add_command(commands: Any) -> None:
@@ -65,7 +65,7 @@ def _claims_json(findings: Sequence[Finding]) -> list[dict[str, Any]]:
 
     return [
         {
-            "id": claim.id,
+            "id": claim.name,
             "claim": claim.text,
             "where": claim.where,
             "formulations": {str(finding.formulation): _finding_json(finding) for finding in of_claim},

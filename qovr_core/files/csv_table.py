@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
@@ -22,7 +22,7 @@ def inputs_path(path: Path) -> Path:
     return path.with_suffix(".inputs.json")
 
 
-def write_csv(surface: Surface, path: Path, progress: Progress) -> None:
+def write_csv(evaluation: Evaluation, path: Path, progress: Progress) -> None:
     """Write all points at full precision, u-major, and the inputs beside them; both files or neither.
 
     Raises
@@ -30,24 +30,24 @@ def write_csv(surface: Surface, path: Path, progress: Progress) -> None:
     FileError : a file cannot be written
     """
     with replacing(path, inputs_path(path)) as (points, inputs):
-        inputs.write_text(_inputs_text(surface), encoding="utf-8", newline="\n")
+        inputs.write_text(_inputs_text(evaluation), encoding="utf-8", newline="\n")
         with points.open("w", encoding="utf-8", newline="") as file:
             table = csv.writer(file, lineterminator="\n")
             table.writerow(HEADER)
-            j, v = list(range(len(surface.v))), surface.v.tolist()
-            for i, u in enumerate(surface.u.tolist()):
-                coordinates = np.hstack([surface.raw[i], surface.transformed[i]]).tolist()
+            j, v = list(range(len(evaluation.v))), evaluation.v.tolist()
+            for i, u in enumerate(evaluation.u.tolist()):
+                coordinates = np.hstack([evaluation.raw[i], evaluation.transformed[i]]).tolist()
                 table.writerows((i, j[k], u, v[k], *row) for k, row in enumerate(coordinates))
-                progress((i + 1) / len(surface.u))
+                progress((i + 1) / len(evaluation.u))
 
 
-def _inputs_text(surface: Surface) -> str:
+def _inputs_text(evaluation: Evaluation) -> str:
     content = {
         "program": PROGRAM,
-        "document": json.loads(document_to_json(surface.document)),
-        "control_box": surface.control_box.tolist(),
-        "raw_box": surface.raw_box.tolist(),
-        "matrix": surface.matrix.tolist(),
-        "flat_axes": list(surface.flat_axes),
+        "document": json.loads(document_to_json(evaluation.document)),
+        "control_box": evaluation.control_box.tolist(),
+        "raw_box": evaluation.raw_box.tolist(),
+        "matrix": evaluation.matrix.tolist(),
+        "flat_axes": list(evaluation.flat_axes),
     }
     return json.dumps(content, indent=2) + "\n"

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
-from qovr_core.evaluation import Surface, configure
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.csv_table import write_csv
 from qovr_core.files.glb import write_glb
 from qovr_core.files.iges import write_iges
@@ -24,7 +24,7 @@ from qovr_core.files.step import write_step
 from qovr_core.files.stl import write_stl
 from qovr_core.files.workbook_write import check_workbook_size, workbook_announcement, write_workbook
 
-Writer = Callable[[Surface, Path, Progress, ExportOptions], None]
+Writer = Callable[[Evaluation, Path, Progress, ExportOptions], None]
 
 
 def _any_size(_document: Document, _path: Path) -> None:
@@ -36,12 +36,12 @@ def _nothing_to_say(_document: Document) -> str:
     return ""
 
 
-def _write_document(surface: Surface, path: Path, progress: Progress) -> None:
-    write_document(surface.document, path)
+def _write_document(evaluation: Evaluation, path: Path, progress: Progress) -> None:
+    write_document(evaluation.document, path)
     progress(1.0)
 
 
-def _of_everything(write: Callable[[Surface, Path, Progress], None]) -> Writer:
+def _of_everything(write: Callable[[Evaluation, Path, Progress], None]) -> Writer:
     """Return the writer of a format that holds both layers, and so has nothing to choose."""
     return lambda surface, path, progress, _options: write(surface, path, progress)
 
@@ -73,14 +73,14 @@ class Format:
     is_mesh: bool = False
     announce: Callable[[Document], str] = _nothing_to_say
 
-    def write(self, surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+    def write(self, evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
         """Write a surface to a path, whole or not at all; ``progress`` rises to 1, and what it raises cancels.
 
         Raises
         ------
         FileError : the format cannot hold the surface, or the file cannot be written
         """
-        self.writer(surface, path, progress, options)
+        self.writer(evaluation, path, progress, options)
 
 
 def _cad(suffix: str, name: str, keeps: str, loses: str, writer: Writer) -> Format:
@@ -208,6 +208,6 @@ def export(
     """
     entry = format_for(path)
     entry.check(document, path)
-    surface = configure(document)
+    evaluation = Evaluation(document)
     progress(0.0)
-    entry.write(surface, path, progress, options)
+    entry.write(evaluation, path, progress, options)

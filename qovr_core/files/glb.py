@@ -10,7 +10,7 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.colours import height_colours, linear
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -27,16 +27,16 @@ _REACH = 0.5
 """Centred, no coordinate is larger than half the surface's size."""
 
 
-def write_glb(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+def write_glb(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the mesh of a surface as one node, whose translation puts it in its place.
 
     Raises
     ------
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
-    mesh = build_mesh(surface, options, path, progress, float32_rounding(surface, options, _REACH))
+    mesh = build_mesh(evaluation, options, path, progress, float32_rounding(evaluation, options, _REACH))
     centre = (mesh.points.min(axis=0) + mesh.points.max(axis=0)) / 2
-    tree = _tree(mesh, centre, surface, options)
+    tree = _tree(mesh, centre, evaluation, options)
     text = json.dumps(tree, separators=(",", ":")).encode("ascii")
     text += b" " * (-len(text) % 4)
     length = tree["buffers"][0]["byteLength"]
@@ -81,7 +81,7 @@ def _write_buffer(file: BinaryIO, mesh: Mesh, centre: Array, progress: Progress)
         put(mesh.corners[part].astype("<u4"))
 
 
-def _tree(mesh: Mesh, centre: Array, surface: Surface, options: ExportOptions) -> dict[str, Any]:
+def _tree(mesh: Mesh, centre: Array, evaluation: Evaluation, options: ExportOptions) -> dict[str, Any]:
     """Return the JSON part; attributes first, then the triangles, in the order of ``_write_buffer``."""
     count = len(mesh.normals)
     ends = [mesh.points.min(axis=0), mesh.points.max(axis=0)]
@@ -97,8 +97,8 @@ def _tree(mesh: Mesh, centre: Array, surface: Surface, options: ExportOptions) -
     primitive = {"attributes": {"POSITION": 0, "NORMAL": 1, "COLOR_0": 2}, "indices": 3, "material": 0}
     matte = {"metallicFactor": 0.0, "roughnessFactor": 0.6}
     extras: dict[str, Any] = {
-        "origin": origin(surface, options),
-        "document": json.loads(document_to_json(surface.document)),
+        "origin": origin(evaluation, options),
+        "document": json.loads(document_to_json(evaluation.document)),
     }
     if mesh.deviation is not None:
         extras |= {"tolerance": options.tolerance, "deviation": mesh.deviation}

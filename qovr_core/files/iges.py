@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline, step
 from qovr_core.files.atomic import replacing
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -28,18 +28,18 @@ _PARAMETER_COLUMNS = 64
 _LABEL = "QOVR"
 
 
-def write_iges(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the exact surface, one entity of its true degree, in millimetres.
 
     Raises
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = options.chosen_patch(surface)
+    patch = options.chosen_patch(evaluation)
     bspline.check_area(patch, path)
     progress(0.0)
     points = bspline.control_points(patch)
-    text = _file(_start(surface, options), _global_fields(points, path), _parameters(points))
+    text = _file(_start(evaluation, options), _global_fields(points, path), _parameters(points))
     with replacing(path) as (draft,):
         draft.write_text(text, encoding="ascii", newline="\n")
         progress(1.0)
@@ -56,11 +56,11 @@ def hollerith(text: str) -> str:
     return f"{len(plain)}H{plain}" if plain else ""
 
 
-def _start(surface: Surface, options: ExportOptions) -> list[str]:
+def _start(evaluation: Evaluation, options: ExportOptions) -> list[str]:
     """Return the lines for people: the origin, and the document's text cut into columns."""
-    text = " ".join(document_to_json(surface.document).split())
+    text = " ".join(document_to_json(evaluation.document).split())
     document = [text[k : k + _TEXT_COLUMNS] for k in range(0, len(text), _TEXT_COLUMNS)]
-    return [origin(surface, options)[:_TEXT_COLUMNS], "The document:", *document]
+    return [origin(evaluation, options)[:_TEXT_COLUMNS], "The document:", *document]
 
 
 def _global_fields(points: Array, path: Path) -> list[str]:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import FileError
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.array_document import INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mat_read import read_arrays
@@ -15,7 +15,7 @@ from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.progress import Progress
 
 
-def write_mat(surface: Surface, path: Path, progress: Progress) -> None:
+def write_mat(evaluation: Evaluation, path: Path, progress: Progress) -> None:
     """Write all arrays of a surface, whole or not at all; ``u`` and ``v`` are columns, texts are char rows.
 
     Raises
@@ -24,7 +24,7 @@ def write_mat(surface: Surface, path: Path, progress: Progress) -> None:
     """
     from scipy.io import savemat
 
-    arrays = surface_arrays(surface)
+    arrays = surface_arrays(evaluation)
     with replacing(path) as (draft,), draft.open("wb") as file:
         for done, (name, array) in enumerate(arrays.items(), 1):
             savemat(file, {name: array}, oned_as="column")

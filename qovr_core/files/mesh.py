@@ -11,7 +11,7 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array
 from qovr_core.errors import EvaluationError, FileError
-from qovr_core.evaluation import Surface, parameters
+from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.files import bspline, tessellation
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
@@ -62,7 +62,9 @@ class Mesh:
         return self.points if len(self.points) == len(self.normals) else self.points[self.places]
 
 
-def build_mesh(surface: Surface, options: ExportOptions, path: Path, progress: Progress, rounding: float = 0.0) -> Mesh:
+def build_mesh(
+    evaluation: Evaluation, options: ExportOptions, path: Path, progress: Progress, rounding: float = 0.0
+) -> Mesh:
     """Return the mesh of the chosen layer: on the document's samples, or as fine as the tolerance demands.
 
     Parameters
@@ -74,10 +76,10 @@ def build_mesh(surface: Surface, options: ExportOptions, path: Path, progress: P
     ------
     FileError : the surface has no area, or the tolerance is finer than the format or the largest grid
     """
-    patch = options.chosen_patch(surface)
+    patch = options.chosen_patch(evaluation)
     bspline.check_area(patch, path)
     progress(0.0)
-    u, v, points = surface.u, surface.v, options.chosen_samples(surface)
+    u, v, points = evaluation.u, evaluation.v, options.chosen_samples(evaluation)
     measured = None
     if options.tolerance is not None:
         u, v = _fine_grid(patch, options.tolerance, rounding, path)
@@ -94,9 +96,9 @@ def blocks(count: int) -> Iterable[slice]:
     return [slice(k, min(k + BLOCK, count)) for k in range(0, count, BLOCK)]
 
 
-def float32_rounding(surface: Surface, options: ExportOptions, reach: float) -> float:
+def float32_rounding(evaluation: Evaluation, options: ExportOptions, reach: float) -> float:
     """Return how far 32-bit coordinates of at most ``reach`` times the surface's size move a point."""
-    coefficients = options.chosen_patch(surface).coefficients
+    coefficients = options.chosen_patch(evaluation).coefficients
     return float(FLOAT32_ROUNDING) * reach * bspline.diagonal(coefficients)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from qovr_core.document import Document
 from qovr_core.errors import FileError
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.array_document import INPUTS, LARGEST_INPUT, document_from_arrays
 from qovr_core.files.atomic import replacing
 from qovr_core.files.progress import Progress
@@ -18,33 +18,33 @@ from qovr_core.files.provenance import PROGRAM
 from qovr_core.geometry.knots import knot_array
 
 
-def surface_arrays(surface: Surface) -> dict[str, Any]:
+def surface_arrays(evaluation: Evaluation) -> dict[str, Any]:
     """Return the arrays of a surface by their public names; knots (5, 4) in the order r s u t and r s v t."""
-    document = surface.document
+    document = evaluation.document
     return {
         "control_points": document.control_points,
         "row_knots": knot_array(document.row_knots),
         "column_knots": knot_array(document.column_knots),
-        "u": surface.u,
-        "v": surface.v,
-        "raw": surface.raw,
-        "transformed": surface.transformed,
-        "control_box": surface.control_box,
-        "raw_box": surface.raw_box,
-        "matrix": surface.matrix,
+        "u": evaluation.u,
+        "v": evaluation.v,
+        "raw": evaluation.raw,
+        "transformed": evaluation.transformed,
+        "control_box": evaluation.control_box,
+        "raw_box": evaluation.raw_box,
+        "matrix": evaluation.matrix,
         "formulation": str(document.formulation),
         "program": PROGRAM,
     }
 
 
-def write_npz(surface: Surface, path: Path, progress: Progress) -> None:
+def write_npz(evaluation: Evaluation, path: Path, progress: Progress) -> None:
     """Write all arrays of a surface, whole or not at all.
 
     Raises
     ------
     FileError : the file cannot be written
     """
-    arrays = surface_arrays(surface)
+    arrays = surface_arrays(evaluation)
     with replacing(path) as (draft,), zipfile.ZipFile(draft, "w") as archive:
         for done, (name, array) in enumerate(arrays.items(), 1):
             with archive.open(f"{name}.npy", "w", force_zip64=True) as member:

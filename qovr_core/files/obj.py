@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -23,18 +23,18 @@ _NORMAL = f"vn{3 * ' %.9g'}\n"
 """Every 32-bit number reads back as itself from 9 digits; a direction needs no more."""
 
 
-def write_obj(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+def write_obj(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the mesh of a surface.
 
     Raises
     ------
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
-    mesh = build_mesh(surface, options, path, progress)
+    mesh = build_mesh(evaluation, options, path, progress)
     total = len(mesh.points) + len(mesh.normals) + len(mesh.faces)
     done = 0
     with replacing(path) as (draft,), draft.open("w", encoding="ascii", newline="\n") as file:
-        file.writelines(f"# {line}\n" for line in mesh_comments(surface, options, mesh.deviation))
+        file.writelines(f"# {line}\n" for line in mesh_comments(evaluation, options, mesh.deviation))
         file.write("o QOVR_surface\n")
         for text, count in _parts(mesh):
             file.write(text)

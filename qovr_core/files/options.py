@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.geometry.patch import Patch
 from qovr_core.layer import Layer
 
@@ -40,14 +40,13 @@ class ExportOptions:
         """Return the layer to write."""
         return self.layer or document.formulation.resting_layer
 
-    def chosen_patch(self, surface: Surface) -> Patch:
+    def chosen_patch(self, evaluation: Evaluation) -> Patch:
         """Return the exact surface to write."""
-        return surface.layer_patch(self.chosen_layer(surface.document))
+        return evaluation.layer_patch(self.chosen_layer(evaluation.document))
 
-    def chosen_samples(self, surface: Surface) -> Array:
+    def chosen_samples(self, evaluation: Evaluation) -> Array:
         """Return the samples (n, m, 3) of the surface to write."""
-        is_raw = self.chosen_layer(surface.document) is Layer.RAW
-        return surface.raw if is_raw else surface.transformed
+        return evaluation.samples(self.chosen_layer(evaluation.document))
 
 
 DEFAULTS = ExportOptions()

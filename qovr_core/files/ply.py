@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.colours import height_colours
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -26,16 +26,16 @@ _PROPERTIES = (
 )
 
 
-def write_ply(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+def write_ply(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the mesh of a surface.
 
     Raises
     ------
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
-    mesh = build_mesh(surface, options, path, progress)
+    mesh = build_mesh(evaluation, options, path, progress)
     with replacing(path) as (draft,), draft.open("wb") as file:
-        file.write(_header(mesh, mesh_comments(surface, options, mesh.deviation)).encode("ascii"))
+        file.write(_header(mesh, mesh_comments(evaluation, options, mesh.deviation)).encode("ascii"))
         vertices, total = mesh.vertices, len(mesh.normals) + len(mesh.faces)
         low, high = vertices[:, 2].min(), vertices[:, 2].max()
         for part in blocks(len(vertices)):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from datetime import UTC, datetime
 
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.version import VERSION
@@ -15,9 +15,9 @@ UNIT_IN_METRES = 0.001
 """One unit of a document is a millimetre wherever a format demands a unit."""
 
 
-def origin(surface: Surface, options: ExportOptions) -> str:
+def origin(evaluation: Evaluation, options: ExportOptions) -> str:
     """Return one line of ASCII: program and version, formulation, layer."""
-    document = surface.document
+    document = evaluation.document
     return f"{PROGRAM}, formulation {document.formulation}, {options.chosen_layer(document)} surface"
 
 
@@ -26,9 +26,9 @@ def timestamp() -> datetime:
     return datetime.now(UTC).replace(microsecond=0, tzinfo=None)
 
 
-def mesh_comments(surface: Surface, options: ExportOptions, deviation: float | None) -> list[str]:
+def mesh_comments(evaluation: Evaluation, options: ExportOptions, deviation: float | None) -> list[str]:
     """Return the comment lines of a mesh: its origin, how close it is, and the document's own text."""
-    lines = [origin(surface, options)]
+    lines = [origin(evaluation, options)]
     if deviation is not None:
         lines.append(f"largest distance from the surface {deviation:.3g}, asked for {options.tolerance:g}")
-    return [*lines, "the document:", *document_to_json(surface.document).splitlines()]
+    return [*lines, "the document:", *document_to_json(evaluation.document).splitlines()]

@@ -10,7 +10,7 @@ from typing import Any, BinaryIO
 from qovr_core.arrays import Array
 from qovr_core.document import Document
 from qovr_core.errors import DocumentError, FileError
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -28,17 +28,17 @@ _KEY_IN_FILE = f"{DOCUMENT_KEY}\0".encode("utf-16-le")
 SURFACE_LAYER, NET_LAYER, POINTS_LAYER = "Surface", "Control net", "Control points"
 
 
-def write_3dm(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+def write_3dm(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the exact surface, of its true degree and in millimetres, the net's lines and points, and the document.
 
     Raises
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = options.chosen_patch(surface)
+    patch = options.chosen_patch(evaluation)
     bspline.check_area(patch, path)
     progress(0.0)
-    content = base64.b64decode(_model(surface, bspline.control_points(patch), options).Encode())
+    content = base64.b64decode(_model(evaluation, bspline.control_points(patch), options).Encode())
     progress(0.5)
     with replacing(path) as (draft,):
         draft.write_bytes(content)
@@ -77,10 +77,10 @@ def _document_text(file: BinaryIO) -> str:
         return content[start + 4 : start + 4 + length].decode("utf-16-le").rstrip("\0")
 
 
-def _model(surface: Surface, points: Array, options: ExportOptions) -> Any:
+def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any:
     import rhino3dm
 
-    document = surface.document
+    document = evaluation.document
     model = rhino3dm.File3dm()
     model.ApplicationName = PROGRAM
     model.Settings.ModelUnitSystem = rhino3dm.UnitSystem.Millimeters
@@ -94,7 +94,7 @@ def _model(surface: Surface, points: Array, options: ExportOptions) -> Any:
         return attributes
 
     attributes = named("QOVR surface", SURFACE_LAYER)
-    attributes.SetUserString("qovr.origin", origin(surface, options))
+    attributes.SetUserString("qovr.origin", origin(evaluation, options))
     model.Objects.AddSurface(_nurbs_surface(points), attributes)
     net = [[rhino3dm.Point3d(*point) for point in row] for row in document.control_points.tolist()]
     for k in range(len(net)):
@@ -104,7 +104,7 @@ def _model(surface: Surface, points: Array, options: ExportOptions) -> Any:
         for j, point in enumerate(row):
             model.Objects.Add(rhino3dm.Point(point), named(f"P{i},{j}", POINTS_LAYER))
     model.Strings[DOCUMENT_KEY] = document_to_json(document)
-    model.Strings["qovr.origin"] = origin(surface, options)
+    model.Strings["qovr.origin"] = origin(evaluation, options)
     model.Strings["qovr.formulation"] = str(document.formulation)
     return model
 

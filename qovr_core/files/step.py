@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -36,19 +36,19 @@ _CORNERS = {Edge.V0: ((0, 0), (-1, 0)), Edge.U1: ((-1, 0), (-1, -1)), Edge.V1: (
 _CURVES = {Edge.U0: (0,), Edge.U1: (-1,), Edge.V0: (slice(None), 0), Edge.V1: (slice(None), -1)}
 
 
-def write_step(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+def write_step(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the exact surface, one face of its true degree, in millimetres.
 
     Raises
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = options.chosen_patch(surface)
+    patch = options.chosen_patch(evaluation)
     bspline.check_area(patch, path)
     progress(0.0)
     points = bspline.control_points(patch)
-    description = origin(surface, options)
-    data = _data_section(points, path.stem, description, document_to_json(surface.document))
+    description = origin(evaluation, options)
+    data = _data_section(points, path.stem, description, document_to_json(evaluation.document))
     with replacing(path) as (draft,):
         draft.write_text(_header(path, description) + data, encoding="ascii", newline="\n")
         progress(1.0)

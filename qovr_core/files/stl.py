@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
 from qovr_core.files.mesh import MESHED, blocks, build_mesh, float32_rounding
@@ -24,17 +24,17 @@ REACH = 4.0
 _FACET = np.dtype([("normal", "<f4", 3), ("points", "<f4", (3, 3)), ("attribute", "<u2")])
 
 
-def write_stl(surface: Surface, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
+def write_stl(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the mesh of a surface; what was added to its coordinates stands in the header.
 
     Raises
     ------
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
-    mesh = build_mesh(surface, options, path, progress, float32_rounding(surface, options, REACH))
+    mesh = build_mesh(evaluation, options, path, progress, float32_rounding(evaluation, options, REACH))
     offset = shift(mesh.points)
     with replacing(path) as (draft,), draft.open("wb") as file:
-        file.write(_header(surface, options, offset))
+        file.write(_header(evaluation, options, offset))
         file.write(np.uint32(len(mesh.faces)).astype("<u4").tobytes())
         for part in blocks(len(mesh.faces)):
             corners = mesh.points[mesh.faces[part]] + offset
@@ -58,10 +58,10 @@ def shift(points: Array) -> Array:
     return np.array([-round(middle, digits) for middle in ((low + high) / 2).tolist()])
 
 
-def _header(surface: Surface, options: ExportOptions, offset: Array) -> bytes:
+def _header(evaluation: Evaluation, options: ExportOptions, offset: Array) -> bytes:
     # Readers take a file that begins with "solid" for text, so it never does.
     moved = f"moved by {' '.join(f'{x:.15g}' for x in offset)}; " if offset.any() else ""
-    text = moved + origin(surface, options)
+    text = moved + origin(evaluation, options)
     return text.encode("ascii")[:HEADER_BYTES].ljust(HEADER_BYTES)
 
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from qovr_core.document import Document
 from qovr_core.errors import FileError
-from qovr_core.evaluation import Surface
+from qovr_core.evaluation import Evaluation
 from qovr_core.files import published_layout as layout
 from qovr_core.files.atomic import replacing, scratch_folder, unwritable
 from qovr_core.files.progress import Progress
@@ -57,7 +57,7 @@ def workbook_announcement(document: Document) -> str:
     return f"{points:,} points will take about {seconds:.0f} s and {megabytes:.0f} MB"
 
 
-def write_workbook(surface: Surface, path: Path, progress: Progress) -> None:
+def write_workbook(evaluation: Evaluation, path: Path, progress: Progress) -> None:
     """Write a surface in the published layout, whole or not at all.
 
     Raises
@@ -66,30 +66,30 @@ def write_workbook(surface: Surface, path: Path, progress: Progress) -> None:
     """
     from xlsxwriter.exceptions import XlsxWriterException
 
-    check_workbook_size(surface.document, path)
+    check_workbook_size(evaluation.document, path)
     # Rows go to disk one by one, so memory stays small: beside the target, where there must be room anyway.
     with replacing(path) as (draft,), scratch_folder(draft) as scratch:
         try:
-            _write(surface, draft, scratch, progress)
+            _write(evaluation, draft, scratch, progress)
         except XlsxWriterException as error:
             cause = error.args[0] if error.args else error
             raise unwritable(path, cause if isinstance(cause, OSError) else OSError(str(error))) from error
 
 
-def _write(surface: Surface, draft: Path, scratch: Path, progress: Progress) -> None:
+def _write(evaluation: Evaluation, draft: Path, scratch: Path, progress: Progress) -> None:
     import xlsxwriter
 
     book = xlsxwriter.Workbook(str(draft), {"constant_memory": True, "tmpdir": str(scratch)})
     book.set_properties({"title": "QOVR surface", "comments": f"Made by {PROGRAM}"})
     sheet = book.add_worksheet("QOVR surface")
-    count = len(surface.u) * len(surface.v)
-    for row, cells in enumerate(_rows(surface), start=layout.TITLE_ROW - 1):
+    count = len(evaluation.u) * len(evaluation.v)
+    for row, cells in enumerate(_rows(evaluation), start=layout.TITLE_ROW - 1):
         for column, value in cells:
             sheet.write(row, column, value)
         if row % _ROWS_A_REPORT == 0:
             progress(row / (count + layout.FIRST_ROW))
     record = book.add_worksheet(layout.RECORD_SHEET)
-    for row, (name, value) in enumerate(_record(surface.document)):
+    for row, (name, value) in enumerate(_record(evaluation.document)):
         record.write(row, 0, name)
         record.write(row, 1, value)
     book.close()
@@ -107,20 +107,20 @@ def _record(document: Document) -> list[tuple[str, Any]]:
     ]
 
 
-def _rows(surface: Surface) -> Iterator[Cells]:
+def _rows(evaluation: Evaluation) -> Iterator[Cells]:
     """Yield the cells of every row from the title row on."""
     yield [(layout.column_index(letters), text) for letters, text in layout.TITLES.items()]
     yield []
     yield [(layout.column_index(letters), text) for letters, text in layout.HEADERS.items()]
     tables = (
-        (layout.NET, _net_rows(surface)),
-        (layout.CONTROL_BOX, _box_rows(surface.control_box)),
-        (layout.RAW, _point_rows(surface.raw)),
-        (layout.RAW_BOX, _box_rows(surface.raw_box)),
-        (layout.MATRIX, iter(surface.matrix.tolist())),
-        (layout.TRANSFORMED, _point_rows(surface.transformed.round(layout.TRANSFORMED_DECIMALS))),
-        (layout.ROW_KNOTS, _row_knot_rows(surface.document)),
-        (layout.COLUMN_KNOTS, _column_knot_rows(surface.document)),
+        (layout.NET, _net_rows(evaluation)),
+        (layout.CONTROL_BOX, _box_rows(evaluation.control_box)),
+        (layout.RAW, _point_rows(evaluation.raw)),
+        (layout.RAW_BOX, _box_rows(evaluation.raw_box)),
+        (layout.MATRIX, iter(evaluation.matrix.tolist())),
+        (layout.TRANSFORMED, _point_rows(evaluation.transformed.round(layout.TRANSFORMED_DECIMALS))),
+        (layout.ROW_KNOTS, _row_knot_rows(evaluation.document)),
+        (layout.COLUMN_KNOTS, _column_knot_rows(evaluation.document)),
     )
     starts = [layout.column_index(letters) for letters, _ in tables]
     for parts in zip_longest(*(rows for _, rows in tables), fillvalue=()):
@@ -132,8 +132,8 @@ def _rows(surface: Surface) -> Iterator[Cells]:
         ]
 
 
-def _net_rows(surface: Surface) -> Iterator[list[Any]]:
-    net = surface.document.control_points
+def _net_rows(evaluation: Evaluation) -> Iterator[list[Any]]:
+    net = evaluation.document.control_points
     for k, (i, j) in enumerate(np.ndindex(net.shape[:2])):
         yield [k, i, j, *net[i, j].tolist()]
 

@@ -62,6 +62,15 @@ class Knots:
     Raises
     ------
     DocumentError : a knot is not a number strictly between 0 and 1
+
+    Examples
+    --------
+    >>> knots = Knots(s=0.4)
+    >>> list(knots), knots.is_quartic, knots.is_monotone
+    ([0.5, 0.4, 0.5, 0.5], False, True)
+    >>> Knots(u=1)
+    Traceback (most recent call last):
+    qovr_core.errors.DocumentError: u is 1; expected a number strictly between 0 and 1
     """
 
     r: float = 0.5

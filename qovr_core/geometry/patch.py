@@ -42,6 +42,17 @@ class Patch:
     Raises
     ------
     ValueError : the coefficients have another shape
+
+    Examples
+    --------
+    >>> u, v = np.mgrid[0:1:7j, 0:1:7j]
+    >>> plane = Patch(np.stack([u, v, 2 * u], axis=-1))
+    >>> plane.points([0.5], [0.25])
+    array([[[0.5 , 0.25, 1.  ]]])
+    >>> plane.bounding_box()
+    array([[0., 1.],
+           [0., 1.],
+           [0., 2.]])
     """
 
     coefficients: Array

@@ -1,70 +1,29 @@
-"""What a claim of the paper is, and how a verdict on it is computed from trials; never written down."""
+"""The paper's claims: one record each, beside the function that measures it."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from enum import StrEnum
-from functools import cache
-
-import numpy as np
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import ClassVar
 
 from qovr_core.document import Document
-from qovr_core.formulations import Formulation
-from qovr_core.laboratory.trials import random_documents
+from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
+from qovr_core.laboratory.measurement import Condition, Measurement
+from qovr_core.registry import Record, Registry
 
 
-class Verdict(StrEnum):
-    """What computation says of a claim, for one formulation."""
-
-    TRUE = "true"
-    TRUE_IF = "true if"
-    FALSE = "false"
+def _no_examples(_document: Document) -> tuple[Document, ...]:
+    """Try no documents but the usual ones; it has a name, so that a claim can go to another process."""
+    return ()
 
 
-@dataclass(frozen=True, eq=False)
-class Measurement:
-    """What one claim comes to on one document.
-
-    Parameters
-    ----------
-    value : the measured number
-    what : what that number is
-    holds : whether the claim holds on this document
-    note : what else was found, as the weight rows that take the place of the paper's
-    parts : for a claim about the knots of single curves, each curve with an effect and whether it keeps the claim
-    example : a document that shows what the note says
-    """
-
-    value: float
-    what: str
-    holds: bool
-    note: str = ""
-    parts: Mapping[str, bool] = field(default_factory=dict)
-    example: Document | None = None
-
-
-@dataclass(frozen=True)
-class Condition:
-    """A condition under which a claim is true.
-
-    Parameters
-    ----------
-    text : the condition, to be read after "true if"
-    is_met : whether a document meets it
-    """
-
-    text: str
-    is_met: Callable[[Document], bool]
-
-
-@dataclass(frozen=True)
-class Claim:
+@dataclass(frozen=True, eq=False, repr=False)
+class Claim(Record):
     """One claim of the paper and the function that decides it.
 
     Parameters
     ----------
-    id : its short name
+    name : its short name
     text : what the paper says
     where : the equation, lemma or section
     measure : what it comes to on a document, under that document's formulation
@@ -74,137 +33,109 @@ class Claim:
     is_general : whether it speaks of all surfaces; if not, it is decided by the document alone
     """
 
-    id: str
+    name: str
     text: str
     where: str
     measure: Callable[[Document], Measurement]
     condition: Condition | None = None
     parts_condition: str = ""
-    examples: Callable[[Document], Sequence[Document]] = lambda _document: ()
+    examples: Callable[[Document], Sequence[Document]] = _no_examples
     is_general: bool = True
+
+    table: ClassVar[Registry[Claim]]
 
     @property
     def file_name(self) -> str:
         """Its name where no apostrophe may stand."""
-        return self.id.replace("'", "-transformed")
+        return self.name.replace("'", "-transformed")
 
 
-@dataclass(frozen=True, eq=False)
-class Finding:
-    """The verdict on one claim for one formulation, and how one document stands.
+CLAIMS = Claim.table = Registry[Claim]("claim")
+"""Every claim, in the paper's order."""
 
-    Parameters
-    ----------
-    claim, formulation : what was decided
-    verdict : on the claim in general, from all trials
-    condition : where the verdict is ``true if``, under what
-    here : what the claim comes to on the document
-    largest : the largest value of all trials
-    counterexample : where the verdict is ``false``, a document on which the claim fails
-    """
-
-    claim: Claim
-    formulation: Formulation
-    verdict: Verdict
-    condition: str
-    here: Measurement
-    largest: float
-    counterexample: Document | None
-
-    @property
-    def example(self) -> Document | None:
-        """A document that shows what the note of this document's measurement says."""
-        return self.here.example
-
-
-@dataclass(frozen=True)
-class _Trial:
-    document: Document
-    measured: Measurement
-
-
-def decide(claim: Claim, document: Document, formulation: Formulation) -> Finding:
-    """Decide a claim for a formulation, and measure it on a document.
-
-    The trials are the document under that formulation, the claim's examples made from it, random documents from a
-    stated seed, and the examples made from the first of these. A claim that holds on all of them is true. If it
-    holds on all that meet its condition, some do, and one that does not meet it fails, it is true under that
-    condition. Else it is false, and the first trial on which it fails is the counterexample.
-
-    Raises
-    ------
-    EvaluationError : the document has no finite surface
-    """
-    *_, finding = decide_steps(claim, document, formulation)
-    assert finding is not None
-    return finding
-
-
-def decide_steps(claim: Claim, document: Document, formulation: Formulation) -> Iterator[Finding | None]:
-    """Decide as ``decide`` does, in small pieces: yield None after each, and at last the finding."""
-    here = replace(document, formulation=formulation)
-    trials = [_Trial(here, _measured(claim, here))]
-    yield None
-    if claim.is_general:
-        for example in claim.examples(here):
-            trials.append(_Trial(example, _measured(claim, example)))
-            yield None
-        for fixed in _fixed_trials(claim, formulation):
-            trials.append(_Trial(fixed, _measured_once(claim, fixed)))
-            yield None
-    yield _finding(claim, formulation, trials)
-
-
-def _measured(claim: Claim, document: Document) -> Measurement:
-    with np.errstate(all="ignore"):  # what overflows is not finite, and no claim holds there
-        return claim.measure(document)
-
-
-@cache
-def _fixed_trials(claim: Claim, formulation: Formulation) -> tuple[Document, ...]:
-    """Return the trials that do not depend on the document: what is special about it may fool all made from it."""
-    random = random_documents(formulation)
-    return (*random, *claim.examples(random[0]))
-
-
-@cache
-def _measured_once(claim: Claim, document: Document) -> Measurement:
-    """Measure a document that is the same for everybody."""
-    return _measured(claim, document)
-
-
-def _finding(claim: Claim, formulation: Formulation, trials: list[_Trial]) -> Finding:
-    failing = [trial for trial in trials if not trial.measured.holds]
-    condition = _condition_met(claim, trials) if failing else ""
-    verdict = Verdict.TRUE if not failing else Verdict.TRUE_IF if condition else Verdict.FALSE
-    return Finding(
-        claim=claim,
-        formulation=formulation,
-        verdict=verdict,
-        condition=condition,
-        here=trials[0].measured,
-        largest=max(trial.measured.value for trial in trials),
-        counterexample=failing[0].document if verdict is Verdict.FALSE else None,
-    )
-
-
-def _condition_met(claim: Claim, trials: list[_Trial]) -> str:
-    """Return the condition under which a claim that fails somewhere is true; empty where there is none."""
-    if claim.parts_condition:
-        kept = _parts_kept(trials)
-        return claim.parts_condition.format(parts=", ".join(kept)) if kept else ""
-    if claim.condition is None:
-        return ""
-    meets = [claim.condition.is_met(trial.document) for trial in trials]
-    holds = [trial.measured.holds for trial in trials]
-    sufficient = any(meets) and all(held for held, met in zip(holds, meets, strict=True) if met)
-    return claim.condition.text if sufficient else ""
-
-
-def _parts_kept(trials: list[_Trial]) -> list[str]:
-    """Return the curves whose knots have an effect in some trial and keep the claim in every one."""
-    answers: dict[str, bool] = {}
-    for trial in trials:
-        for part, keeps in trial.measured.parts.items():
-            answers[part] = answers.get(part, True) and keeps
-    return sorted(part for part, keeps in answers.items() if keeps)
+for _claim in (
+    Claim("inverse", "M times M^-1 is the identity", "(14)-(17), (21), (22)", curve_claims.inverse),
+    Claim(
+        "unity",
+        "the weights of a curve sum to 1",
+        "(4)",
+        curve_claims.unity,
+        condition=curve_claims.KERNELS_HOLD,
+        examples=curve_claims.kernel_examples,
+    ),
+    Claim(
+        "quartic",
+        "curves and surface are of degree four",
+        "title, abstract",
+        curve_claims.quartic,
+        condition=curve_claims.S_IS_U,
+        examples=curve_claims.degree_examples,
+    ),
+    Claim("ends", "the weights are [0 0 1 0 0] at both ends of a curve", "(46), (48)", curve_claims.ends),
+    Claim(
+        "tangents",
+        "the first derivatives of the weights are [0 -0.5 0 0.5 0] at both ends",
+        "(51), (53)",
+        curve_claims.tangents,
+    ),
+    Claim(
+        "curvatures",
+        "the second derivatives of the weights are [0 0 2 -4 2] at 0 and [2 -4 2 0 0] at 1",
+        "(55), (57)",
+        curve_claims.curvatures,
+    ),
+    Claim("C0", "neighbouring patches meet without a gap", "Lemma 1, (45)", joint_claims.c0),
+    Claim(
+        "C1",
+        "the tangents of neighbouring patches agree across the joint",
+        "Lemma 2, (50)",
+        joint_claims.c1,
+        condition=joint_claims.KNOTS_CROSS_ALIKE,
+        examples=joint_claims.crossing_examples,
+    ),
+    Claim(
+        "C2",
+        "the second derivatives of neighbouring patches do not agree across the joint",
+        "Theorem 1, (60)",
+        joint_claims.c2,
+    ),
+    Claim(
+        "edges",
+        "internal knots do not move the boundary",
+        "abstract, 5.2",
+        knot_claims.edges,
+        parts_condition=knot_claims.EDGES_KEPT_BY,
+    ),
+    Claim(
+        "edges'",
+        "internal knots do not move the boundary of the transformed surface",
+        "abstract, 5.2, 5.3",
+        knot_claims.edges_transformed,
+        parts_condition=knot_claims.EDGES_KEPT_AFTER_T,
+        examples=knot_claims.box_examples,
+    ),
+    Claim(
+        "local",
+        "the effect of a moved point decreases exponentially with the distance",
+        "abstract, 5.3",
+        shape_claims.local,
+    ),
+    Claim(
+        "symmetry",
+        "0.5 knots and a symmetric net give a symmetric surface",
+        "5.3",
+        shape_claims.symmetry,
+        condition=shape_claims.ROW_4_SYMMETRIC,
+        examples=shape_claims.symmetry_examples,
+    ),
+    Claim(
+        "boxes",
+        "T maps the box of the raw surface onto that of the control points",
+        "(61)-(65), 5.1",
+        shape_claims.boxes,
+        condition=shape_claims.RAW_HAS_EXTENT,
+    ),
+    Claim("fairness", "there are no wave-like artifacts", "abstract, 5.3", fairness.fairness, is_general=False),
+):
+    CLAIMS.register(_claim)
+CLAIMS.seal()

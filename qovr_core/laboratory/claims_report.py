@@ -7,7 +7,8 @@ from collections.abc import Iterable, Iterator
 from itertools import groupby
 
 from qovr_core.formulations import FORMULATIONS
-from qovr_core.laboratory.claims import Claim, Finding, Verdict
+from qovr_core.laboratory.claims import Claim
+from qovr_core.laboratory.verify import Finding, Verdict
 
 _WIDTH = 110
 _INDENT = " " * 17
@@ -23,7 +24,7 @@ def findings_text(findings: Iterable[Finding]) -> str:
     """Return the findings as one block a claim."""
     lines = [f"{'':15}  {'verdict':<9}{'here':<7}{'measured':>10}{'largest':>10}   (largest: over all trials)"]
     for claim, of_claim in by_claim(findings):
-        lines += ["", f"{claim.id}: {claim.text}, {claim.where}", f"  {of_claim[0].here.what}"]
+        lines += ["", f"{claim.name}: {claim.text}, {claim.where}", f"  {of_claim[0].here.what}"]
         for finding in of_claim:
             here = "holds" if finding.here.holds else "fails"
             numbers = f"{finding.here.value:>10.3g}{finding.largest:>10.3g}"

@@ -12,7 +12,7 @@ from qovr_core.checks import LARGEST_MAGNITUDE, described
 from qovr_core.document import Document
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
-from qovr_core.evaluation import align_patch
+from qovr_core.evaluation import Evaluation
 from qovr_core.geometry.closest import closest_points
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.patch import Edge
@@ -128,7 +128,7 @@ class ComparisonInput:
         """
         document = self.moved_document if moved else self.document
         if name == REFERENCE:
-            return align_patch(document).layer_patch(document.formulation.resting_layer)
+            return Evaluation(document).layer_patch(document.formulation.resting_layer)
         return COMPARISON_SURFACES[name].build(document.control_points, self.point, self.weight)
 
 

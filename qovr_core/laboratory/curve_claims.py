@@ -15,7 +15,7 @@ from qovr_core.geometry.kernels import inverse_kernels, kernels
 from qovr_core.geometry.knots import Direction, Knots, knot_array
 from qovr_core.geometry.rounding import ROUNDING, largest
 from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients
-from qovr_core.laboratory.claims import Condition, Measurement
+from qovr_core.laboratory.measurement import Condition, Measurement
 
 CURVE_NAMES = tuple(f"{CURVE_LETTERS[direction]}_{k}" for direction in Direction for k in range(NET_SIZE))
 """The ten curves of a document, rows before columns."""

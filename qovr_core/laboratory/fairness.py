@@ -9,7 +9,7 @@ from qovr_core.construction import build_patch
 from qovr_core.document import Document
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.rounding import ROUNDING, largest
-from qovr_core.laboratory.claims import Measurement
+from qovr_core.laboratory.measurement import Measurement
 from qovr_core.laboratory.splines import catmull_rom
 
 ISOLINES = 9

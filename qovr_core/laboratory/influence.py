@@ -10,7 +10,7 @@ from qovr_core.arrays import Array, read_only
 from qovr_core.construction import build_patch
 from qovr_core.document import Document
 from qovr_core.edits import set_point, set_values, value_at
-from qovr_core.evaluation import align_patch, parameters
+from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.geometry.patch import PATCH_DEGREE, Edge, Patch
@@ -176,7 +176,7 @@ def _surface(document: Document, layer: Layer) -> tuple[Array, Array]:
     if layer is Layer.RAW:
         patch = build_patch(document)
         return patch.coefficients, _ROUNDING * _size(patch)
-    result = align_patch(document)
+    result = Evaluation(document)
     scale, shift = np.diag(result.matrix)[:3], np.abs(result.matrix[:3, 3])
     return result.transformed_patch.coefficients, _ROUNDING * np.maximum(scale * _size(result.patch), shift)
 

@@ -10,7 +10,7 @@ from qovr_core.arrays import Array
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_all_knots, set_points
 from qovr_core.geometry.knots import Knots
-from qovr_core.laboratory.claims import Condition, Measurement
+from qovr_core.laboratory.measurement import Condition, Measurement
 from qovr_core.laboratory.neighbours import Continuation, joints
 
 _POSITION, _TANGENT, _CURVATURE = 0, 1, 2

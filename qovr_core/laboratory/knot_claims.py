@@ -16,8 +16,8 @@ from qovr_core.geometry.alignment import align, bounding_box
 from qovr_core.geometry.knots import Knots, knot_array
 from qovr_core.geometry.patch import PATCH_DEGREE, Edge
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
-from qovr_core.laboratory.claims import Measurement
 from qovr_core.laboratory.curve_claims import CURVE_NAMES
+from qovr_core.laboratory.measurement import Measurement
 from qovr_core.laboratory.trials import SAMPLES
 
 KNOT_STEP = 0.1

@@ -6,7 +6,7 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.construction import document_arrays
-from qovr_core.evaluation import AlignedPatch, parameters
+from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.geometry.patch import Patch
 from qovr_core.layer import Layer
@@ -19,7 +19,7 @@ _ROWS_AT_A_TIME = 64
 
 
 @np.errstate(all="ignore")  # what overflows has no colour
-def knot_sensitivity(result: AlignedPatch, place: KnotPlace, layer: Layer) -> Patch:
+def knot_sensitivity(evaluation: Evaluation, place: KnotPlace, layer: Layer) -> Patch:
     """Return dS/dknot as a patch whose points are vectors, in the document's units per unit of the knot.
 
     The raw surface's is the formulation's own (``Formulation.knot_slope``): exact, but for a record that does not know
@@ -29,35 +29,35 @@ def knot_sensitivity(result: AlignedPatch, place: KnotPlace, layer: Layer) -> Pa
 
     Parameters
     ----------
-    result : the surface whose answer is asked for
+    evaluation : of the surface whose answer is asked for
     place : the knot
     layer : of which of its two surfaces
     """
-    document = result.document
+    document = evaluation.document
     raw = Patch(document.formulation.knot_slope(*document_arrays(document), place))
-    return raw if layer is Layer.RAW else _transformed_slope(result, raw)
+    return raw if layer is Layer.RAW else _transformed_slope(evaluation, raw)
 
 
-def _transformed_slope(result: AlignedPatch, raw: Patch) -> Patch:
+def _transformed_slope(evaluation: Evaluation, raw: Patch) -> Patch:
     """Return d(m S + n) = m dS + dm S + dn for the diagonal m and the shift n of (61)-(65)."""
-    low, high = result.raw_box.T
-    slope_low, slope_high = _box_slopes(result, raw)
-    scale = result.matrix.diagonal()[:3]
-    is_flat = np.isin(list("xyz"), result.flat_axes)
+    low, high = evaluation.raw_box.T
+    slope_low, slope_high = _box_slopes(evaluation, raw)
+    scale = evaluation.matrix.diagonal()[:3]
+    is_flat = np.isin(list("xyz"), evaluation.flat_axes)
     scale_slope = np.where(is_flat, 0.0, -scale * (slope_high - slope_low) / np.where(is_flat, 1.0, high - low))
     shift_slope = -scale_slope * low - scale * slope_low
-    return Patch(scale * raw.coefficients + scale_slope * result.patch.coefficients + shift_slope)
+    return Patch(scale * raw.coefficients + scale_slope * evaluation.patch.coefficients + shift_slope)
 
 
-def _box_slopes(result: AlignedPatch, raw: Patch) -> tuple[Array, Array]:
+def _box_slopes(evaluation: Evaluation, raw: Patch) -> tuple[Array, Array]:
     """Return the derivatives of the raw box's low and high sides, each (3,)."""
-    u, v = (parameters(samples) for samples in result.document.samples)
-    reach = _ATTAINED * np.abs(result.raw_box).max(axis=1)
-    sides = (result.raw_box[:, 0] + reach, result.raw_box[:, 1] - reach)
+    u, v = (parameters(samples) for samples in evaluation.document.samples)
+    reach = _ATTAINED * np.abs(evaluation.raw_box).max(axis=1)
+    sides = (evaluation.raw_box[:, 0] + reach, evaluation.raw_box[:, 1] - reach)
     least, most = np.full((2, 3), np.inf), np.full((2, 3), -np.inf)
     for start in range(0, len(u), _ROWS_AT_A_TIME):
         rows = u[start : start + _ROWS_AT_A_TIME]
-        points, slopes = result.patch.points(rows, v), raw.points(rows, v)
+        points, slopes = evaluation.patch.points(rows, v), raw.points(rows, v)
         for side, attained in enumerate((points <= sides[0], points >= sides[1])):
             least[side] = np.minimum(least[side], np.where(attained, slopes, np.inf).min(axis=(0, 1)))
             most[side] = np.maximum(most[side], np.where(attained, slopes, -np.inf).max(axis=(0, 1)))

@@ -10,14 +10,14 @@ from qovr_core.arrays import Array
 from qovr_core.construction import build_patch, document_arrays
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import set_all_knots, set_points
-from qovr_core.evaluation import align_patch, parameters
+from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import bounding_box
 from qovr_core.geometry.knots import Knots
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
-from qovr_core.laboratory.claims import Condition, Measurement
 from qovr_core.laboratory.falloff import best_decay
+from qovr_core.laboratory.measurement import Condition, Measurement
 from qovr_core.laboratory.trials import SAMPLES
 
 POINT_STEP = 0.1
@@ -179,7 +179,7 @@ ROW_4_SYMMETRIC = Condition("row 4 is symmetric in every symmetric net made from
 
 def boxes(document: Document) -> Measurement:
     """T maps the box of the raw samples onto the box of the control points, (61)-(65), 5.1."""
-    aligned = align_patch(replace(document, samples=SAMPLES))
+    aligned = Evaluation(replace(document, samples=SAMPLES))
     u, v = map(parameters, SAMPLES)
     box = bounding_box(aligned.transformed_patch.points(u, v))
     difference = largest(box - aligned.control_box)
@@ -195,7 +195,7 @@ def boxes(document: Document) -> Measurement:
 
 
 def _has_extent(document: Document) -> bool:
-    return not align_patch(replace(document, samples=SAMPLES)).flat_axes
+    return not Evaluation(replace(document, samples=SAMPLES)).flat_axes
 
 
 RAW_HAS_EXTENT = Condition("the raw surface has an extent along every axis", _has_extent)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 import numpy as np
 
 from qovr_core.document import NET_SIZE, Document
@@ -26,7 +24,6 @@ _KNOT_MARGIN = 0.2
 """Random knots keep this far from 0 and 1: ordinary surfaces, not extreme ones."""
 
 
-@cache
 def random_documents(formulation: Formulation) -> tuple[Document, ...]:
     """Return the random documents of a formulation; their nets and knots are the same for every one."""
     rng = np.random.default_rng(TRIAL_SEED)

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from qovr_app.laboratory.pieces import comparison_pieces
-from qovr_core import align_patch
+from qovr_core import Evaluation
 from qovr_core.evaluation import parameters
 from qovr_core.geometry.closest import closest_points
 from qovr_core.laboratory.comparison import ComparisonInput
@@ -31,7 +31,7 @@ LONGEST_COMMAND = 2.0
 
 def test_closest_points(measure, row):
     document = preset("fig8").document
-    patch, grid = align_patch(document).transformed_patch, parameters(101)
+    patch, grid = Evaluation(document).transformed_patch, parameters(101)
     points = b_spline(document.control_points).points(grid, grid).reshape(-1, 3)
     measure("closest points", 101, lambda: closest_points(patch, points))
     row("closest points: part of 0.1 s", 101, MEDIANS["closest points", 101] / LONGEST_SEARCH, at_most=1)

@@ -39,7 +39,7 @@ class Bench:
         self.view = View3D()
         self.painted = 0
         self.view.frame_painted.connect(self._count)
-        self.controller.result_changed.connect(self.view.set_result)
+        self.controller.evaluation_changed.connect(self.view.set_evaluation)
         self.view.resize(*SIZE)
         self.view.show()
         self.controller.configure()

@@ -1,21 +1,24 @@
 """The paper's claims: the verdicts that are expected, and each measurement against another way to compute it."""
 
 from dataclasses import replace
+from itertools import product
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import FORMULATIONS, Document, Edge, Formulation, Knots, Patch, align_patch, build_patch, edits
+from qovr_core import FORMULATIONS, Document, Edge, Evaluation, Formulation, Knots, Patch, build_patch, edits
 from qovr_core.edits import Direction, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import weight_coefficients
 from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
-from qovr_core.laboratory.claims import Claim, Condition, Measurement, Verdict, decide
+from qovr_core.laboratory.claims import CLAIMS, Claim
+from qovr_core.laboratory.claims_report import findings_markdown, findings_text
+from qovr_core.laboratory.measurement import Condition, Measurement
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
 from qovr_core.laboratory.splines import catmull_rom
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
+from qovr_core.laboratory.verify import Verdict, decide, verify
 from qovr_core.presets import preset
 from support.documents import knots, random_document, random_net, seeds
 
@@ -40,7 +43,6 @@ EXPECTED = {
 """Verdicts for interpolating, double-sum, published; ``fairness`` is decided by every document for itself."""
 
 INTERPOLATING, DOUBLE_SUM, PUBLISHED = Formulation.INTERPOLATING, Formulation.DOUBLE_SUM, Formulation.PUBLISHED
-CLAIM = {claim.id: claim for claim in CLAIMS}
 KEEPS_EDGES = "C_0, C_2, C_4, K_0, K_2, K_4"
 
 
@@ -73,7 +75,7 @@ DOCUMENTS = {
 @pytest.mark.parametrize("name", DOCUMENTS)
 def test_the_verdicts_are_those_of_the_table(name):
     document = DOCUMENTS[name]
-    found = {(finding.claim.id, finding.formulation): finding for finding in verify(document)}
+    found = {(finding.claim.name, finding.formulation): finding for finding in verify(document)}
     verdicts = {
         claim: tuple(found[claim, formulation].verdict for formulation in (INTERPOLATING, DOUBLE_SUM, PUBLISHED))
         for claim in EXPECTED
@@ -99,13 +101,35 @@ def test_the_verdicts_do_not_depend_on_the_net_s_size_or_place():
         assert verdicts == [finding.verdict for finding in verify(document)]
 
 
-def test_the_steps_are_small_and_come_to_the_same():
-    document = random_document(5)
-    steps = list(verify_steps(document))
-    findings = [step for step in steps if step is not None]
-    assert len(findings) == len(CLAIMS) * len(FORMULATIONS)
-    assert len(steps) > 3 * len(findings)
-    assert [finding.verdict for finding in findings] == [finding.verdict for finding in verify(document)]
+def test_every_finding_is_reported_as_soon_as_it_is_known():
+    told = []
+    findings = verify(random_document(5), told.append)
+    assert tuple(told) == findings
+    assert [(finding.claim.name, finding.formulation.name) for finding in told] == list(product(CLAIMS, FORMULATIONS))
+
+
+def test_what_the_report_raises_ends_the_work():
+    told = []
+
+    def cancel(finding):
+        told.append(finding)
+        if len(told) == 2:
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        verify(random_document(5), cancel)
+    assert len(told) == 2
+
+
+def test_a_claim_from_outside_is_decided_by_its_record():
+    text = "the net has five rows"
+    claim = Claim("rows", text, "5.1", lambda document: Measurement(len(document.control_points), "rows", holds=True))
+    with CLAIMS.register(claim):
+        findings = verify(random_document(6))
+        assert [(finding.claim, finding.verdict) for finding in findings[-3:]] == [(claim, TRUE)] * 3
+        assert findings_text(findings).splitlines()[-4:-3] == ["  rows"]
+        assert findings_markdown(findings).splitlines()[-1].startswith(f"| {text} | 5.1 | **true** |")
+    assert all(finding.claim != claim for finding in verify(random_document(6)))
 
 
 # --- how a verdict comes about ----------------------------------------------------------------------------------------
@@ -355,11 +379,11 @@ def test_a_flat_raw_surface_has_no_scale():
     net = random_net(1)
     net[4, :, 2] = 0
     document = Document(net)
-    finding = decide(CLAIM["boxes"], document, PUBLISHED)
+    finding = decide(CLAIMS["boxes"], document, PUBLISHED)
     assert finding.verdict is TRUE_IF
     assert not finding.here.holds
     assert "no extent along z" in finding.here.note
-    assert decide(CLAIM["boxes"], document, INTERPOLATING).verdict is TRUE
+    assert decide(CLAIMS["boxes"], document, INTERPOLATING).verdict is TRUE
 
 
 # --- fairness ---------------------------------------------------------------------------------------------------------
@@ -394,10 +418,10 @@ def test_fairness_is_decided_by_the_document_against_catmull_rom(seed):
     document = random_document(seed)
     others = fairness.sign_changes(catmull_rom(document.control_points))
     for formulation in FORMULATIONS.values():
-        finding = decide(CLAIM["fairness"], document, formulation)
+        finding = decide(CLAIMS["fairness"], document, formulation)
         own = fairness.sign_changes(build_patch(replace(document, formulation=formulation)))
         assert finding.here.value == own
         assert finding.verdict is (TRUE if own <= others else FALSE)
         assert str(others) in finding.here.note
-        aligned = align_patch(replace(document, formulation=formulation))
+        aligned = Evaluation(replace(document, formulation=formulation))
         assert fairness.sign_changes(aligned.transformed_patch) == own

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from qovr_core import FORMULATIONS, Layer, Patch, align_patch
+from qovr_core import FORMULATIONS, Evaluation, Layer, Patch
 from qovr_core.geometry.closest import closest_points
 from support.documents import random_document, size
 from support.shapes import CLOSED, COLLAPSED, special
@@ -53,7 +53,7 @@ def patches(low):
     """Yield surfaces of all formulations; the further from 0.5 the knots, the more they fold."""
     for seed in range(12):
         document = random_document(seed, list(FORMULATIONS.values())[seed % 3], low=low, high=1 - low)
-        yield seed, align_patch(document).layer_patch(Layer.TRANSFORMED)
+        yield seed, Evaluation(document).layer_patch(Layer.TRANSFORMED)
 
 
 def test_points_of_the_surface_are_their_own_feet():
@@ -85,7 +85,7 @@ def test_a_surface_folded_ten_times_over_still_gives_almost_every_foot():
 
 @pytest.mark.parametrize("name", [*COLLAPSED, *CLOSED])
 def test_surfaces_with_collapsed_and_closed_edges(name):
-    patch = align_patch(special(name)).patch
+    patch = Evaluation(special(name)).patch
     grid = np.linspace(0, 1, 201)
     samples = patch.points(grid, grid).reshape(-1, 3)
     points = np.random.default_rng(4).uniform(-1, 5, (50, 3))
@@ -104,7 +104,7 @@ def test_a_point_and_a_line_are_surfaces_too():
 @pytest.mark.parametrize("scale", [1e-250, 1e-6, 1e6, 1e250])
 def test_size_changes_nothing(scale):
     document = random_document(7)
-    patch = align_patch(document).patch
+    patch = Evaluation(document).patch
     points = np.random.default_rng(8).uniform(0, 4, (100, 3))
     larger = patch.transformed(np.diag([scale, scale, scale, 1]))
     assert closest_points(larger, scale * points).distance == pytest.approx(

@@ -11,11 +11,11 @@ from qovr_core import (
     Document,
     DocumentError,
     Edge,
+    Evaluation,
     EvaluationError,
     Formulation,
     Knots,
     Layer,
-    align_patch,
 )
 from qovr_core.edits import set_points
 from qovr_core.laboratory.comparison import ComparisonInput, compare, compared_names
@@ -87,7 +87,7 @@ def test_the_energy_counts_every_piece():
 def test_a_fold_has_no_finite_energy():
     folding = Knots(s=0.9, u=0.3)
     document = Document(random_net(2), (folding,) * 5, formulation=Formulation.INTERPOLATING)
-    assert np.isnan(bending_energy(align_patch(document).patch))
+    assert np.isnan(bending_energy(Evaluation(document).patch))
 
 
 # --- joints -----------------------------------------------------------------------------------------------------------
@@ -191,7 +191,7 @@ def test_t_is_computed_again_after_the_move():
     net[2, 2, 2] += step
     u = np.linspace(0, 1, 201)
     before, after = (
-        align_patch(each).layer_patch(Layer.TRANSFORMED).points(u, u) for each in (document, set_points(document, net))
+        Evaluation(each).layer_patch(Layer.TRANSFORMED).points(u, u) for each in (document, set_points(document, net))
     )
     measures = compare(document).measures["qovr"]
     assert measures.largest_motion == pytest.approx(np.linalg.norm(after - before, axis=2).max())

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import Document, Layer, Patch, align_patch, build_patch, edits
+from qovr_core import Document, Evaluation, Layer, Patch, build_patch, edits
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.fields import FIELDS, Field, field_range, field_rounding, field_values
 from qovr_core.laboratory.sensitivity import knot_sensitivity
@@ -102,7 +102,7 @@ def test_distance_from_a_shifted_plane_and_from_itself():
 def test_sensitivity_is_the_length_of_the_derivative():
     document = random_document(4, low=0.3, high=0.7)
     place = KnotPlace(Direction.ROWS, 2, "s")
-    result = align_patch(document)
+    result = Evaluation(document)
     values = field_values(Field.SENSITIVITY, result.patch, U, V, knot_sensitivity(result, place, Layer.RAW))
     value, h = edits.value_at(document, place), 1e-6
     lower, upper = (build_patch(edits.set_values(document, {place: value + step})).points(U, V) for step in (-h, h))

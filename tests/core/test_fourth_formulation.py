@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_core import FORMULATIONS, Document, DocumentError, Formulation, Layer, align_patch, build_patch, edits
+from qovr_core import FORMULATIONS, Document, DocumentError, Evaluation, Formulation, Layer, build_patch, edits
 from qovr_core.cli import main
 from qovr_core.construction import document_arrays
 from qovr_core.edits import Direction, KnotPlace
@@ -75,13 +75,13 @@ def test_a_fourth_formulation_is_in_files_commands_and_claims(tensor, tmp_path, 
 @pytest.mark.parametrize("layer", list(Layer))
 def test_a_formulation_without_slopes_has_them_numerically(tensor, layer):
     document = random_document(11, tensor, samples=(9, 14), low=0.2, high=0.8)
-    result = align_patch(document)
+    result = Evaluation(document)
     slopes = {place: knot_sensitivity(result, place, layer).coefficients for place in PLACES}
     size = max(np.abs(slope).max() for slope in slopes.values())
     for place, slope in slopes.items():
         value, step = edits.value_at(document, place), 1e-6
         below, above = (
-            align_patch(edits.set_values(document, {place: value + sign * step})).layer_patch(layer).coefficients
+            Evaluation(edits.set_values(document, {place: value + sign * step})).layer_patch(layer).coefficients
             for sign in (-1, 1)
         )
         assert slope == pytest.approx((above - below) / (2 * step), abs=1e-7 * size)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from qovr_core import FORMULATIONS, Document, Formulation, align_patch, configure, edits
+from qovr_core import FORMULATIONS, Document, Evaluation, Formulation, configure, edits
 from qovr_core.geometry.alignment import align
 from qovr_core.presets import preset
 from support.documents import documents, random_document, random_net
@@ -107,7 +107,7 @@ def test_a_net_drawn_together_into_one_point():
 @pytest.mark.parametrize("formulation", FORMULATIONS.values(), ids=str)
 def test_the_aligned_patch_is_that_of_the_whole_pipeline(formulation, samples):
     document = random_document(9, formulation, samples)
-    whole, light = configure(document), align_patch(document)
+    whole, light = configure(document), Evaluation(document)
     assert np.array_equal(light.patch.coefficients, whole.patch.coefficients)
     assert light.raw_box == pytest.approx(whole.raw_box, rel=1e-14)
     assert light.matrix == pytest.approx(whole.matrix, rel=1e-12)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from qovr_core import FORMULATIONS, Formulation, Layer, align_patch, configure, edits, formulations
+from qovr_core import FORMULATIONS, Evaluation, Formulation, Layer, configure, edits, formulations
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.geometry.kernels import inverse_kernel_slopes, inverse_kernels
 from qovr_core.geometry.weights import weight_coefficients, weight_slopes
@@ -29,7 +29,7 @@ def difference(document, place, layer):
     """Return the central difference quotient of the surface's coefficients."""
     value = edits.value_at(document, place)
     lower, upper = (
-        align_patch(edits.set_values(document, {place: value + step})).layer_patch(layer).coefficients
+        Evaluation(edits.set_values(document, {place: value + step})).layer_patch(layer).coefficients
         for step in (-STEP, STEP)
     )
     return (upper - lower) / (2 * STEP)
@@ -72,7 +72,7 @@ def test_every_knot_against_central_differences(uncut, formulation, layer):
 @settings(max_examples=60, deadline=None)
 def test_the_raw_surface_of_any_document(document, place):
     document = replace(document, formulation=Formulation.INTERPOLATING)
-    slope = knot_sensitivity(align_patch(document), place, Layer.RAW).coefficients
+    slope = knot_sensitivity(Evaluation(document), place, Layer.RAW).coefficients
     quotient = difference(document, place, Layer.RAW)
     assert slope == pytest.approx(quotient, abs=1e-5 * max(1.0, np.abs(quotient).max()))
 
@@ -82,11 +82,11 @@ def test_the_published_surface_follows_up_to_its_cuts(layer):
     """Over a step that is long beside the cuts of 1e-4 the real surface moves as its derivative says."""
     document = edits.set_formulation(random_document(12, low=0.4, high=0.6), Formulation.PUBLISHED)
     for place in (KnotPlace(Direction.ROWS, 4, "s"), KnotPlace(Direction.COLUMNS, 1, "u")):
-        slope = knot_sensitivity(align_patch(document), place, layer).coefficients
+        slope = knot_sensitivity(Evaluation(document), place, layer).coefficients
         step = 0.01
         value = edits.value_at(document, place)
         lower, upper = (
-            align_patch(edits.set_values(document, {place: value + sign * step})).layer_patch(layer).coefficients
+            Evaluation(edits.set_values(document, {place: value + sign * step})).layer_patch(layer).coefficients
             for sign in (-1, 1)
         )
         assert (upper - lower) / (2 * step) == pytest.approx(slope, abs=0.02 * np.abs(slope).max())

@@ -11,8 +11,8 @@ import pytest
 from qovr_core import FORMULATIONS
 from qovr_core.files import read_document, write_document
 from qovr_core.files.qovr_document import document_from_json
-from qovr_core.laboratory.claims import Verdict
-from qovr_core.laboratory.verify import CLAIMS, verify
+from qovr_core.laboratory.claims import CLAIMS
+from qovr_core.laboratory.verify import Verdict, verify
 from support.command import qovr, refused
 from support.documents import random_document
 
@@ -38,7 +38,7 @@ def paper():
 
 def test_json_holds_every_claim_and_formulation(paper):
     assert paper["source"] == "paper:fig6b"
-    assert [claim["id"] for claim in paper["claims"]] == [claim.id for claim in CLAIMS]
+    assert [claim["id"] for claim in paper["claims"]] == list(CLAIMS)
     for claim in paper["claims"]:
         assert list(claim["formulations"]) == [str(formulation) for formulation in FORMULATIONS.values()]
         for formulation, finding in claim["formulations"].items():
@@ -67,8 +67,8 @@ def test_the_table_for_people_names_every_claim_and_verdict(tmp_path):
     assert (run.code, run.err) == (0, "")
     assert max(map(len, run.out.splitlines())) <= 120
     blocks = run.out.split("\n\n")[1:]
-    for claim, block in zip(CLAIMS, blocks, strict=True):
-        assert block.startswith(f"{claim.id}: {claim.text}, {claim.where}\n")
+    for claim, block in zip(CLAIMS.values(), blocks, strict=True):
+        assert block.startswith(f"{claim.name}: {claim.text}, {claim.where}\n")
     found = re.findall(r"^  (published|double-sum|interpolating) +(true if|true|false) +(holds|fails) ", run.out, re.M)
     expected = verify(document)
     assert found == [
@@ -80,7 +80,7 @@ def test_the_table_for_people_names_every_claim_and_verdict(tmp_path):
 def test_counterexamples_are_documents_that_fail_their_claim(tmp_path):
     run = qovr("verify", "paper:fig5", "--counterexamples", "found/here", cwd=tmp_path)
     assert run.code == 0
-    measured = {claim.file_name: claim.measure for claim in CLAIMS}
+    measured = {claim.file_name: claim.measure for claim in CLAIMS.values()}
     names = sorted(path.name for path in (tmp_path / "found/here").iterdir())
     assert "C2-interpolating-example.qovr" in names
     assert "edges-transformed-double-sum-counterexample.qovr" in names

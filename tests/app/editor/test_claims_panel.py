@@ -11,7 +11,8 @@ from qovr_app.laboratory.claims_panel import ClaimsPanel
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
 from qovr_app.laboratory.idle_work import QUIET_MILLISECONDS
 from qovr_core import FORMULATIONS, Formulation
-from qovr_core.laboratory.verify import CLAIMS, verify, verify_steps
+from qovr_core.laboratory.claims import CLAIMS
+from qovr_core.laboratory.verify import decide, verify
 
 STEPS_BETWEEN = 3
 """An edit is seen after so many turns of the event loop at most, each of which may take one small step."""
@@ -22,12 +23,11 @@ def steps(monkeypatch):
     """How many steps of looking for verdicts have been taken."""
     taken = []
 
-    def counted(document):
-        for step in verify_steps(document):
-            taken.append(step)
-            yield step
+    def counted(claim, document, formulation):
+        taken.append(decide(claim, document, formulation))
+        return taken[-1]
 
-    monkeypatch.setattr(claims_panel, "verify_steps", counted)
+    monkeypatch.setattr(claims_panel, "decide", counted)
     return taken
 
 
@@ -50,7 +50,7 @@ def state(lab):
 
 
 def select(lab, claim, formulation):
-    row = [entry.id for entry in CLAIMS].index(claim)
+    row = list(CLAIMS).index(claim)
     table(lab).setCurrentCell(row, 1 + list(FORMULATIONS.values()).index(formulation))
     lab.settle()
 
@@ -58,8 +58,8 @@ def select(lab, claim, formulation):
 def shown(lab):
     """Return what every cell says, by claim and formulation."""
     return {
-        (claim.id, formulation): table(lab).item(row, column).data(Qt.ItemDataRole.AccessibleTextRole)
-        for row, claim in enumerate(CLAIMS)
+        (claim.name, formulation): table(lab).item(row, column).data(Qt.ItemDataRole.AccessibleTextRole)
+        for row, claim in enumerate(CLAIMS.values())
         for column, formulation in enumerate(FORMULATIONS.values(), start=1)
     }
 
@@ -75,7 +75,7 @@ def turns_until_shown(lab):
     """Count the turns of the event loop from now until the window has the document's surface."""
     for turn in range(1, 20):
         QApplication.processEvents()
-        if lab.window._result.document == lab.document:
+        if lab.window.controller.state.evaluation.document == lab.document:
             return turn
     raise AssertionError("the edit is not shown")
 
@@ -84,10 +84,12 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
     spin(lambda: panel(lab).is_current)
     cells = shown(lab)
     for finding in verify(lab.document):
-        spoken = cells[finding.claim.id, finding.formulation]
+        spoken = cells[finding.claim.name, finding.formulation]
         assert f": {finding.verdict}" in spoken
         assert spoken.endswith("it holds" if finding.here.holds else "it fails")
-        item = table(lab).item(CLAIMS.index(finding.claim), 1 + list(FORMULATIONS.values()).index(finding.formulation))
+        item = table(lab).item(
+            list(CLAIMS).index(finding.claim.name), 1 + list(FORMULATIONS.values()).index(finding.formulation)
+        )
         lines = [item.data(Qt.ItemDataRole.UserRole + k) for k in range(2)]
         assert lines[0] == f"{MARKS[finding.verdict]} {finding.verdict}"
         assert lines[1].startswith("here holds" if finding.here.holds else "here fails")
@@ -112,7 +114,7 @@ def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, sp
         assert len(steps) == stopped
         assert "grey" in state(lab)
     spin(lambda: panel(lab).is_current)
-    findings = {(finding.claim.id, finding.formulation): finding for finding in verify(lab.document)}
+    findings = {(finding.claim.name, finding.formulation): finding for finding in verify(lab.document)}
     for key, spoken in shown(lab).items():
         assert spoken.endswith("it holds" if findings[key].here.holds else "it fails")
 
@@ -174,7 +176,7 @@ def test_everything_can_be_done_by_keyboard(lab, spin):
     assert "holds on everything" in lab.message()
     lab.key(Qt.Key.Key_Down, widget=table(lab))
     finding = table(lab).current_finding()
-    assert (finding.claim.id, finding.formulation) == ("C2", Formulation.INTERPOLATING)
+    assert (finding.claim.name, finding.formulation) == ("C2", Formulation.INTERPOLATING)
     lab.key(Qt.Key.Key_Return, widget=table(lab))
     assert lab.document == finding.example
     assert lab.window.windowTitle().startswith("Example to C2, interpolating")

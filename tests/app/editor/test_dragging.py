@@ -43,7 +43,7 @@ def drag(editor):
 
 def test_a_drag_is_one_step_and_the_fields_follow(editor, drag):
     results = []
-    editor.window.controller.result_changed.connect(results.append)
+    editor.window.controller.evaluation_changed.connect(lambda evaluation, _document: results.append(evaluation))
     seen = drag("release")
     assert len(set(seen)) == 6
     assert len(results) >= 6
@@ -65,10 +65,10 @@ def test_escape_puts_the_point_back_and_leaves_no_step(editor, drag):
 
 def test_staged_the_net_follows_and_the_surface_waits(editor, drag):
     editor.trigger("live")
-    before = editor.window.controller.state.result
+    before = editor.window.controller.state.evaluation
     drag("release")
     state = editor.window.controller.state
-    assert state.result is before
+    assert state.evaluation is before
     assert state.is_stale
     assert np.array_equal(editor.window.view.picture().scene.document.control_points, editor.document.control_points)
     assert editor.find("view.stale").isVisible()

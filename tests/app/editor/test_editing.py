@@ -132,7 +132,7 @@ def test_pending_text_of_one_zone_outlives_a_set_and_an_undo_of_another(editor):
 def test_a_slider_drag_is_one_step_and_the_surface_follows(editor):
     editor.field("column_knots.K_2.s").setFocus()
     results = []
-    editor.window.controller.result_changed.connect(results.append)
+    editor.window.controller.evaluation_changed.connect(lambda evaluation, _document: results.append(evaluation))
     editor.drag_slider("column_knots.slider", [5, 5, 5, 5, 5])
     assert len(results) >= 4
     assert editor.document.column_knots[0].s > 0.55

@@ -3,7 +3,7 @@
 import pytest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QTabBar, QTableWidget
 
-from qovr_app.laboratory import place as place_module
+from qovr_app.laboratory import dock as place_module
 from qovr_app.laboratory.dock import PanelEntry
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.display import ThemeName
@@ -19,11 +19,11 @@ class Diary(LaboratoryPanel):
 
     def __init__(self):
         super().__init__()
-        self.results, self.foci, self.themes = [], [], []
+        self.documents, self.foci, self.themes = [], [], []
 
-    def show_result(self, result):
+    def show_document(self, document):
         assert self.isVisible()
-        self.results.append(result)
+        self.documents.append(document)
 
     def show_focus(self, focus):
         self.foci.append(focus)
@@ -81,18 +81,18 @@ def test_only_the_panel_that_is_seen_is_told_and_only_the_latest(lab, spin):
     lab.trigger("laboratory_second")
     first, second = diary(lab, "first"), diary(lab, "second")
     spin(50)
-    before = len(first.results)
-    assert len(second.results) == 1
+    before = len(first.documents)
+    assert len(second.documents) == 1
     lab.type_into("row_knots.C_4.r", "0.31")
     lab.type_into("row_knots.C_4.r", "0.32")
-    assert second.results[-1].document == lab.document
-    assert len(first.results) == before
+    assert second.documents[-1] == lab.document
+    assert len(first.documents) == before
     lab.trigger("laboratory_first")
-    assert first.results[-1].document == lab.document
-    assert len(first.results) == before + 1
+    assert first.documents[-1] == lab.document
+    assert len(first.documents) == before + 1
     lab.click("laboratory.close")
     lab.type_into("row_knots.C_4.r", "0.33")
-    assert len(first.results) == before + 1
+    assert len(first.documents) == before + 1
 
 
 def test_a_drag_with_a_panel_open_tells_it_once_a_turn(lab):
@@ -100,10 +100,10 @@ def test_a_drag_with_a_panel_open_tells_it_once_a_turn(lab):
     panel = diary(lab, "first")
     lab.field("row_knots.C_4.r").setFocus()
     lab.settle()
-    before = len(panel.results)
+    before = len(panel.documents)
     lab.drag_slider("row_knots.slider", [5, 5, 5, 5])
-    assert before < len(panel.results) <= before + 4
-    assert panel.results[-1].document == lab.document
+    assert before < len(panel.documents) <= before + 4
+    assert panel.documents[-1] == lab.document
 
 
 def test_the_focus_is_the_knot_or_point_that_came_last(lab):

@@ -106,5 +106,5 @@ def check_marks(editor):
     state = editor.window.controller.state
     assert editor.find("surface.export").isEnabled() == (not state.is_stale)
     assert editor.find("surface.formulation", QComboBox).currentText() == str(editor.document.formulation)
-    if editor.action("live").isChecked() and state.result is not None:
+    if editor.action("live").isChecked() and state.evaluation is not None:
         assert state.draft == editor.document

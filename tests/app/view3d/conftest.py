@@ -65,11 +65,11 @@ class Owner:
         view.point_selected.connect(self.selections.append)
         view.point_hovered.connect(self.hovers.append)
         view.fell_back.connect(self.reasons.append)
-        view.set_result(configure(document))
+        view.set_evaluation(configure(document))
 
     def show(self, document: Document) -> None:
         self.document = document
-        self.view.set_result(configure(document))
+        self.view.set_evaluation(configure(document))
 
     def _on_dragged(self, i: int, j: int, point: np.ndarray, gesture: int) -> None:
         self.drags.append((i, j, point, gesture))

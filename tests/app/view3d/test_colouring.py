@@ -14,7 +14,7 @@ from qovr_app.view3d.scene.colouring import SINGULAR_NOTE, UNDEFINED, Colouring,
 from qovr_app.view3d.scene.mesh import spread
 from qovr_app.view3d.scene.patterns import isophote_parts, zebra_is_light
 from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
-from qovr_core import Document, align_patch
+from qovr_core import Document, Evaluation
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.fields import FIELDS, Field, field_values
 from qovr_core.layer import Layer
@@ -27,7 +27,7 @@ MIDDLE = (247, 246, 246)
 
 
 def scene_of(document, layer=Layer.RAW, scaling=Scaling.EACH, **companions):
-    result = align_patch(document)
+    result = Evaluation(document)
     return make_scene(result, layer, scene_frame(result, layer, scaling), Companions(**companions))
 
 
@@ -44,7 +44,7 @@ def net_of(height):
 @pytest.mark.parametrize("scaling", list(Scaling))
 def test_values_are_those_of_the_surface_in_the_documents_units(layer, scaling):
     """Not of the stretched surface in the unit space: the axes' scaling changes nothing."""
-    scene, result = scene_of(FIG8, layer, scaling), align_patch(FIG8)
+    scene, result = scene_of(FIG8, layer, scaling), Evaluation(FIG8)
     surface = result.patch if layer is Layer.RAW else result.transformed_patch
     u, v = (np.linspace(0, 1, count) for count in COUNTS)
     for field in (Field.HEIGHT, Field.GAUSSIAN, Field.MEAN, Field.LARGEST, Field.SMALLEST):
@@ -107,7 +107,7 @@ def test_a_surface_without_curvature_says_so():
 
 
 def test_distance_and_sensitivity_name_what_they_belong_to():
-    reference = align_patch(preset("fig5").document).patch
+    reference = Evaluation(preset("fig5").document).patch
     knot = KnotPlace(Direction.COLUMNS, 2, "u")
     scene = scene_of(FIG8, reference=reference, reference_name="a file with a very long name.qovr", knot=knot)
     shown = colouring(scene, "distance")
@@ -150,7 +150,7 @@ def test_in_motion_costly_fields_are_taken_from_fewer_points(monkeypatch):
         return field_values(field, surface, u, v, companion)
 
     monkeypatch.setattr(scenes, "field_values", counted)
-    scene = scene_of(FIG8, reference=align_patch(preset("fig8").document).patch)
+    scene = scene_of(FIG8, reference=Evaluation(preset("fig8").document).patch)
     for moving in (True, False):
         for by in ("height", "mean", "distance"):
             values = scene.values(FIELDS[by], (201, 201), moving=moving)

@@ -9,7 +9,7 @@ from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, Style, T
 from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.view3d.painter.colour_bar import bar_rect
 from qovr_app.view3d.scene.patterns import DARK_STRIPE, LIGHT_STRIPE, colour_sources
-from qovr_core import Document, align_patch
+from qovr_core import Document, Evaluation
 from qovr_core.edits import Direction, KnotPlace, set_point
 from qovr_core.fields import FIELDS, Field, field_values
 
@@ -33,7 +33,7 @@ def renderer(request):
 
 @pytest.fixture
 def reference(document):
-    return align_patch(set_point(document, 2, 2, (2.0, 2.0, 0.6))).patch
+    return Evaluation(set_point(document, 2, 2, (2.0, 2.0, 0.6))).patch
 
 
 def from_above(make_view, document, **settings):
@@ -59,7 +59,7 @@ def test_every_point_has_the_colour_of_its_value(
     diverging = by != "distance"
     assert (low == -high) == diverging
     table = colour_table(DIVERGING if diverging else ColourMap.JET).astype(int)
-    surface, cell = align_patch(document).patch, np.linspace(-1 / 30, 1 / 30, 3)
+    surface, cell = Evaluation(document).patch, np.linspace(-1 / 30, 1 / 30, 3)
     for u in np.linspace(0.13, 0.87, 5):
         for v in np.linspace(0.11, 0.89, 5):
             around = field_values(FIELDS[by], surface, u + cell, v + cell, reference)

@@ -14,7 +14,7 @@ from qovr_app.view3d.painter.readout import readout_rows, readout_text
 from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
 from qovr_app.view3d.scene.mesh import surface_vertices
 from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
-from qovr_core import align_patch
+from qovr_core import Evaluation
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.fields import Field
 from qovr_core.laboratory.sensitivity import knot_sensitivity
@@ -28,7 +28,7 @@ CAMERAS += [Camera(30, -40), Camera(100, 20, centre=(0.3, 0.1, 0.0), span=1.0, p
 
 
 def scene_of(document, layer=Layer.RAW, companions=None):
-    result = align_patch(document)
+    result = Evaluation(document)
     return make_scene(result, layer, scene_frame(result, layer, Scaling.EACH), companions)
 
 
@@ -102,8 +102,8 @@ def test_beside_the_surface_there_is_nothing():
 
 
 def test_a_reading_is_in_the_documents_units():
-    knot, other = KnotPlace(Direction.ROWS, 3, "r"), align_patch(preset("fig5").document)
-    result = align_patch(FIG8)
+    knot, other = KnotPlace(Direction.ROWS, 3, "r"), Evaluation(preset("fig5").document)
+    result = Evaluation(FIG8)
     surface = result.transformed_patch
     scene = scene_of(FIG8, Layer.TRANSFORMED, Companions(other.patch, "fig5", knot))
     assert Field.SENSITIVITY not in reading_at(scene, (0.3, 0.8), "height").others
@@ -147,7 +147,7 @@ def test_the_mouse_reads_the_point_it_is_over(make_view, document, renderer, lay
         request.getfixturevalue("no_opengl")
     view = make_view(document, layer=layer, probe=True, size=(900, 560)).view
     number = len(view.viewports) - 1
-    result = align_patch(document)
+    result = Evaluation(document)
     surface = result.patch if layer is LayerChoice.RAW else result.transformed_patch
     goal = surface.points([0.37], [0.58])[0, 0]
     move(view.viewports[number], *expected_pixel(view, goal, number))
@@ -162,7 +162,7 @@ def test_the_mouse_reads_the_point_it_is_over(make_view, document, renderer, lay
 def test_what_is_read_follows_the_surface_and_the_camera(make_view, document, expected_pixel):
     owner = make_view(document, layer=LayerChoice.RAW, probe=True)
     viewport = owner.view.viewports[0]
-    x, y = expected_pixel(owner.view, align_patch(document).patch.points([0.5], [0.5])[0, 0])
+    x, y = expected_pixel(owner.view, Evaluation(document).patch.points([0.5], [0.5])[0, 0])
     move(viewport, x, y)
     before = owner.view.picture().probed
     owner.view._on_camera_requested(owner.view.camera.orbited(20.0, 0.0))
@@ -180,7 +180,7 @@ def test_the_readout_and_the_mark_are_seen_and_stay_in_the_view(make_view, docum
     for owner in (plain, probed):
         make_view.settle(owner.view)
         move(
-            owner.view.viewports[0], *expected_pixel(owner.view, align_patch(document).patch.points([0.5], [0.5])[0, 0])
+            owner.view.viewports[0], *expected_pixel(owner.view, Evaluation(document).patch.points([0.5], [0.5])[0, 0])
         )
         make_view.settle(owner.view)
     images = [owner.view.image() for owner in (plain, probed)]

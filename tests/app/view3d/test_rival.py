@@ -19,7 +19,7 @@ from qovr_core.laboratory.splines import b_spline, bezier
 
 
 def rival(placement, kind=b_spline, name="B-spline"):
-    return Rival(name, lambda result: kind(result.document.control_points), placement)
+    return Rival(name, lambda document: kind(document.control_points), placement)
 
 
 @pytest.fixture(params=["opengl", "painter"])
@@ -52,8 +52,8 @@ def test_with_both_layers_it_stands_at_the_right_of_both(make_view, document):
 def test_the_limits_hold_what_reaches_beyond_the_net(owner, document):
     view = owner.view
 
-    def stretched(result):
-        return bezier(result.document.control_points).transformed(np.diag([3.0, 1.0, 1.0, 1.0]))
+    def stretched(document):
+        return bezier(document.control_points).transformed(np.diag([3.0, 1.0, 1.0, 1.0]))
 
     view.set_rival(Rival("Stretched", stretched, Placement.BESIDE))
     assert view.picture().scene.frame.limits[0, 1] >= 12

@@ -22,7 +22,7 @@ from qovr_app.view3d.scene.mesh import (
 )
 from qovr_app.view3d.scene.occlusion import Occluder
 from qovr_app.view3d.scene.scene import make_scene, scene_frame
-from qovr_core import Document, Patch, configure
+from qovr_core import Document, Evaluation, Patch, configure
 from qovr_core.edits import set_formulation, set_points
 from qovr_core.layer import Layer
 from qovr_core.presets import preset
@@ -192,15 +192,15 @@ def test_from_above_the_z_axis_has_no_ticks():
 
 
 def test_a_scene_needs_no_samples():
-    """The view reads nothing of a result that grows with the document's sample counts."""
+    """The view reads nothing of an evaluation that grows with the document's sample counts."""
 
-    class WithoutSamples:
-        def __init__(self, result):
-            for name in ("document", "patch", "control_box", "raw_box", "matrix"):
-                setattr(self, name, getattr(result, name))
+    class WithoutSamples(Evaluation):
+        def _once(self, name, compute):
+            assert name not in ("raw", "transformed")
+            return super()._once(name, compute)
 
-    result = WithoutSamples(configure(replace(preset("fig5").document, samples=(11, 7))))
-    scene = make_scene(result, Layer.RAW, scene_frame(result, Layer.RAW, Scaling.EACH))
+    evaluation = WithoutSamples(replace(preset("fig5").document, samples=(11, 7)))
+    scene = make_scene(evaluation, Layer.RAW, scene_frame(evaluation, Layer.RAW, Scaling.EACH))
     assert scene.surface_box[2] == pytest.approx((0.88, 1.2))
 
 

@@ -239,7 +239,7 @@ def test_closed_views_are_gone(app, document, spin):
     gone = []
     for _ in range(3):
         view = View3D()
-        view.set_result(configure(document))
+        view.set_evaluation(configure(document))
         view.show()
         spin(60)
         gone.append(weakref.ref(view))
