@@ -16,9 +16,9 @@ from qovr_app.state.display import Placement
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
-from qovr_app.view3d.scene.comparison import Rival
+from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.widgets.parts import symbol
-from qovr_core import Document, ParametricSurface, QovrError
+from qovr_core import Document, QovrError
 from qovr_core.laboratory.comparison import DEFAULT_POINT, Comparison, ComparisonInput, Measures, compared_names
 from qovr_core.laboratory.comparison_report import copied_text
 from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
@@ -111,7 +111,7 @@ class ComparisonPanel(LaboratoryPanel):
             return
         self._seen = wanted
         self._table.show_compared(wanted and wanted[0].name)
-        self.rival_requested.emit(wanted and _rival(*wanted))
+        self.comparison_requested.emit(wanted and ComparisonView(*wanted))
 
     # Measuring
 
@@ -154,13 +154,6 @@ class ComparisonPanel(LaboratoryPanel):
         layout.addWidget(self._bar)
         layout.addWidget(self._state)
         layout.addWidget(self._table, 1)
-
-
-def _rival(surface: ComparisonSurface, placement: Placement, point: tuple[int, int], weight: float) -> Rival:
-    def surface_of(document: Document) -> ParametricSurface:
-        return surface.build(document.control_points, point, weight)
-
-    return Rival(surface.title, surface_of, placement)
 
 
 def _motion_html(of: ComparisonInput) -> str:

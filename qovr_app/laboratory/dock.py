@@ -80,7 +80,7 @@ class LaboratoryPlace(QWidget):
     Signals
     -------
     panel_changed : the name of the panel that is shown now; empty when the place is closed
-    document_requested, values_edited, figure_requested, told, rival_requested : those of all panels
+    document_requested, values_edited, figure_requested, told, comparison_requested : those of all panels
     """
 
     panel_changed = Signal(str)
@@ -88,7 +88,7 @@ class LaboratoryPlace(QWidget):
     values_edited = Signal(object, int)
     figure_requested = Signal(str, object)
     told = Signal(str, bool)
-    rival_requested = Signal(object)
+    comparison_requested = Signal(object)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -183,7 +183,7 @@ class LaboratoryPlace(QWidget):
         panel.use_commands(self._commands)
         panel.setObjectName(f"laboratory.{entry.name}")
         panel.setAccessibleName(entry.title.replace("&", ""))
-        for signal in ("document_requested", "values_edited", "figure_requested", "told", "rival_requested"):
+        for signal in ("document_requested", "values_edited", "figure_requested", "told", "comparison_requested"):
             getattr(panel, signal).connect(getattr(self, signal))
         self._stack.addWidget(panel)
         self.panels[entry.name] = panel

@@ -27,14 +27,14 @@ class LaboratoryPanel(QWidget):
     values_edited : a dict of places and values that one intent changes, and its gesture, 0 for none
     figure_requested : a name for the file, and a function of its path and FigureOptions that writes it
     told : a sentence for the message line, and whether it is a refusal
-    rival_requested : a Rival for the view to show beside or over the surface, or None
+    comparison_requested : a ComparisonView for the view to show beside or over the surface, or None
     """
 
     document_requested = Signal(object, str)
     values_edited = Signal(object, int)
     figure_requested = Signal(str, object)
     told = Signal(str, bool)
-    rival_requested = Signal(object)
+    comparison_requested = Signal(object)
 
     def use_commands(self, commands: dict[str, QAction]) -> None:
         """Take the window's commands by name, once; panels that need none of them do nothing."""

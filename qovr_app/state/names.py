@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, CoordinatePlace, Direction, KnotPlace, Place, Zone
+from qovr_core.edits import CURVE_LETTERS, PARAMETERS, CoordinatePlace, Place, Zone
+from qovr_core.geometry.knots import Direction, KnotPlace
 
 AXES = "xyz"
 

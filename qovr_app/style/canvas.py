@@ -9,7 +9,6 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPagedPaintDevice, QPaintDevice, QPainter
 
 
-
 @contextmanager
 def painting(device: QPaintDevice | QPagedPaintDevice) -> Iterator[QPainter]:
     """Give a painter and end it, also after an error: Qt crashes when its device goes before it."""

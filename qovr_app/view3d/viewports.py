@@ -113,4 +113,5 @@ class Viewports(QObject):
             viewport.widget.deleteLater()
         self._made = []
         self.arrange(self._count)
+        self.show()
         self.fell_back.emit(reason)

@@ -16,13 +16,14 @@ from qovr_app.state.display import DisplaySettings, LayerChoice
 from qovr_app.window.actions import Command
 from qovr_app.window.controller import Controller
 from qovr_app.window.session import Session
+from qovr_app.window.view_changes import change
 from qovr_core import ParametricSurface
 from qovr_core.edits import KnotPlace
 from qovr_core.fields import Range
 from qovr_core.layer import Layer
 
 if TYPE_CHECKING:
-    from qovr_app.view3d.scene.comparison import Rival
+    from qovr_app.view3d.scene.comparison import ComparisonView
     from qovr_app.view3d.view import View3D
 
 
@@ -42,7 +43,7 @@ class ColourDesk(QObject):
         self._surface: ParametricSurface | None = None
         self._name = ""
         self._knot: KnotPlace | None = None
-        self._rival: Rival | None = None
+        self._comparison: ComparisonView | None = None
 
     def commands(self) -> list[Command]:
         """Return the commands that pin, unpin, and copy what the probe says."""
@@ -72,7 +73,7 @@ class ColourDesk(QObject):
         if evaluation is None:
             self.told.emit("There is no surface to pin: configure one first (F5).")
             return
-        shown = self._view().settings.layer
+        shown = self._view().shown.settings.layer
         formulation = evaluation.document.formulation
         layer = formulation.resting_layer if shown is LayerChoice.BOTH else Layer(shown.value)
         self._set(evaluation.layer_patch(layer), f"{self._session.title}, {formulation}")
@@ -90,18 +91,17 @@ class ColourDesk(QObject):
         """Take note of a knot that the user has turned to; it stays when they turn to a point."""
         if isinstance(focus, KnotPlace):
             self._knot = focus
-            self._view().set_focus_knot(focus)
+            change(self._view(), knot=focus)
 
     def on_view_came(self, view: View3D) -> None:
         """Tell a view that comes late what the others know."""
-        view.set_reference(self._surface, self._name)
-        view.set_focus_knot(self._knot)
-        view.set_rival(self._rival)
+        named = {"reference": self._surface, "reference_name": self._name}
+        change(view, **named, knot=self._knot, comparison=self._comparison)
 
-    def show_rival(self, rival: Rival | None) -> None:
+    def show_comparison(self, comparison: ComparisonView | None) -> None:
         """Show another surface of the same net beside the document's or over it, or none any more."""
-        self._rival = rival
-        self._view().set_rival(rival)
+        self._comparison = comparison
+        change(self._view(), comparison=comparison)
 
     def copy_probe(self) -> None:
         """Copy what the probe says."""
@@ -122,4 +122,4 @@ class ColourDesk(QObject):
 
     def _set(self, surface: ParametricSurface | None, name: str) -> None:
         self._surface, self._name = surface, name
-        self._view().set_reference(surface, name)
+        change(self._view(), reference=surface, reference_name=name)

@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
 
 from qovr_app.dialogs.export_dialog import ExportDialog
 from qovr_app.dialogs.figure_dialog import FigureDialog
-from qovr_app.view3d.figure.figure import FigureOptions
+from qovr_app.state.figure_options import FigureOptions
 from qovr_app.widgets.notice import Notice
 from qovr_app.window.application import NAME
 from qovr_app.window.controller import Controller

@@ -24,6 +24,7 @@ from qovr_app.window.message_line import MessageLine
 from qovr_app.window.preferences import Preferences
 from qovr_app.window.recovery import Keeper, RecoveryStore
 from qovr_app.window.session import Session
+from qovr_app.window.view_changes import change, select
 from qovr_app.window.view_commands import view_commands
 from qovr_app.window.window_commands import go_commands, help_commands, window_commands
 from qovr_app.work.notices import Notices
@@ -130,7 +131,7 @@ class MainWindow(QMainWindow):
         space.laboratory.document_requested.connect(self.desk.open_document)
         space.laboratory.figure_requested.connect(self.desk.save_drawing)
         space.laboratory.told.connect(lambda text, refused: self.tell(text, refused=refused))
-        space.laboratory.rival_requested.connect(self.colours.show_rival)
+        space.laboratory.comparison_requested.connect(self.colours.show_comparison)
         space.focus_changed.connect(self.colours.focus_on)
         self.colours.told.connect(self.tell)
         self._notices.noticed.connect(self.tell)
@@ -151,15 +152,18 @@ class MainWindow(QMainWindow):
     # What the window is told
 
     def _on_view_came(self, view: View3D) -> None:
-        view.set_settings(self._settings)
+        change(view, settings=self._settings)
         self.colours.on_view_came(view)
+        view.point_dragged.connect(lambda *_drag: change(view, dragging=True))
         view.point_dragged.connect(self.controller.drag_point)
         view.drag_cancelled.connect(self.session.cancel)
         view.drag_finished.connect(lambda _gesture: self._message.clear())
+        for ended in (view.drag_cancelled, view.drag_finished):
+            ended.connect(lambda _gesture: change(view, dragging=False))
         view.point_selected.connect(self._on_point_selected)
         view.fell_back.connect(self._on_fell_back)
         if self._shown is not None:
-            view.set_evaluation(*self._shown)
+            change(view, evaluation=self._shown[0], document=self._shown[1])
         view.set_camera("paper", animated=False)
 
     def _on_fell_back(self, reason: str) -> None:
@@ -167,6 +171,7 @@ class MainWindow(QMainWindow):
 
     def _on_point_selected(self, index: tuple[int, int] | None) -> None:
         self.workspace.points.mark_point(index)
+        select(self.view, index)
         self.workspace.set_focus(index)
         if index is None:
             self._message.clear()
@@ -176,11 +181,11 @@ class MainWindow(QMainWindow):
     def _on_point_focused(self, i: int, j: int) -> None:
         self.workspace.points.mark_point((i, j))
         if self.workspace.place.view is not None:
-            self.workspace.place.view.select(i, j)
+            select(self.workspace.place.view, (i, j))
 
     def _on_opened(self, preset: str) -> None:
         self.workspace.points.mark_point(None)
-        self.view.select(None)
+        select(self.view, None)
         cameras = {case.camera for case in figure_cases().values() if case.preset.name == preset}
         if len(cameras) == 1:
             self.view.set_camera(cameras.pop(), animated=False)
@@ -193,7 +198,7 @@ class MainWindow(QMainWindow):
         if evaluation.document.formulation != before:
             self._show_layer_in_place(evaluation)
         if self.workspace.place.view is not None:
-            self.workspace.place.view.set_evaluation(evaluation, document)
+            change(self.workspace.place.view, evaluation=evaluation, document=document)
 
     def _show_layer_in_place(self, evaluation: Evaluation) -> None:
         """Show the layer that lies on the control net, unless both are shown."""
@@ -280,7 +285,7 @@ class MainWindow(QMainWindow):
 
     def focus_view(self) -> None:
         """Bring the keyboard to the 3D view."""
-        self.view.viewports[0].setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.view.viewports[0].widget.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def _look(self, camera: str) -> None:
         self.view.set_camera(camera)
@@ -297,7 +302,7 @@ class MainWindow(QMainWindow):
     def _set_settings(self, settings: DisplaySettings) -> None:
         self._settings = settings
         if self.workspace.place.view is not None:
-            self.workspace.place.view.set_settings(settings)
+            change(self.workspace.place.view, settings=settings)
 
     # Coming and going
 

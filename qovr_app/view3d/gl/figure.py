@@ -6,10 +6,10 @@ import numpy as np
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
 
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl.buffer import sampled_buffer
 from qovr_app.view3d.gl.surface_item import SurfaceItem
-from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array

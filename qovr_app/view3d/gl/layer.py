@@ -47,7 +47,9 @@ class ImageLayer:
         image : in the format ARGB32 premultiplied; None for the one that was drawn last
         """
         if self._objects is None:
-            self._objects = _Objects(link_program("layer"), api.make_vertex_array(), api.make_texture(api.Filtering.NEAREST))
+            self._objects = _Objects(
+                link_program("layer"), api.make_vertex_array(), api.make_texture(api.Filtering.NEAREST)
+            )
         objects = self._objects
         if image is not None:
             _load(objects, image)

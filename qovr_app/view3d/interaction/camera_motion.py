@@ -65,15 +65,13 @@ class CameraMotion(QObject):
         else:
             self._set(self._goal)
 
-    def stop(self) -> None:
-        """End a turn where the camera is."""
-        self._animation.stop()
-
     def refit(self, *, perspective: bool) -> None:
-        """Take another projection, and another distance where everything is kept in view."""
-        self._camera = replace(self._camera, perspective=perspective)
-        if self._is_fitted:
-            self._camera = self._fitted(self._camera)
+        """Take another projection, and another distance where everything is kept in view; a turn goes on there."""
+        self._camera, self._goal = (self._refitted(each, perspective) for each in (self._camera, self._goal))
+
+    def _refitted(self, camera: Camera, perspective: bool) -> Camera:
+        camera = replace(camera, perspective=perspective)
+        return self._fitted(camera) if self._is_fitted else camera
 
     def _set(self, camera: Camera) -> None:
         self._camera = camera

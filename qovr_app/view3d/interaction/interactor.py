@@ -106,7 +106,7 @@ class Interactor(QObject):
             if index is not None:
                 size = self._viewport.logical_size
                 self.dragger.press(PressedPoint(picture.scene, picture.camera, size, index, at.x(), at.y()))
-            self.selected.emit(index)
+            self._select(index, picture)
 
     def _on_release(self, event: QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
@@ -181,5 +181,9 @@ class Interactor(QObject):
     def _step_to(self, index: NetIndex | None, picture: Picture) -> bool:
         if index is None or self.dragger.is_pressed or not picture.settings.control_points:
             return False
-        self.selected.emit(index)
+        self._select(index, picture)
         return True
+
+    def _select(self, index: NetIndex | None, picture: Picture) -> None:
+        if index != picture.last_selected:
+            self.selected.emit(index)

@@ -16,7 +16,7 @@ _SAME_PLACE = 0.5
 
 def pick(scene: Scene, camera: Camera, size: Size, x: float, y: float) -> NetIndex | None:
     """Return the control point under a pixel: the nearest on the screen, then the nearest to the viewer."""
-    columns = scene.points.shape[1]
+    _, columns = scene.net_shape
     seen = camera.project(scene.points.reshape(-1, 3), size)
     away = np.hypot(seen[:, 0] - x, seen[:, 1] - y)
     near = np.flatnonzero(away <= PICK_RADIUS)  # points behind the eye are NaN, and near to nothing

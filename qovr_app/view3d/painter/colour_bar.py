@@ -11,11 +11,11 @@ import numpy.typing as npt
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
 from qovr_app.style.ticks import tick_positions, tick_texts
-from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring

@@ -7,11 +7,11 @@ import math
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from qovr_app.view3d.scene.probing import Parameters, Reading, reading_at
 from qovr_app.view3d.painter.note import draw_plate
 from qovr_app.view3d.painter.text import SMALL, draw_text, plain, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.probing import Parameters, Reading, reading_at
 
 _CORNER = (10.0, 34.0)
 """Below the caption that tells two viewports apart."""

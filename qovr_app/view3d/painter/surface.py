@@ -103,7 +103,8 @@ def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
     normals = normals * np.where(normals[:, 2:] < 0, -1, 1)
     key = np.maximum(normals @ _KEY_LIGHT, 0)
     light = 1 + relief(picture.settings) * (0.52 + 0.44 * key + 0.10 * normals[:, 2] - 1)
-    return np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
+    lit: npt.NDArray[np.uint8] = np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
+    return lit
 
 
 def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> npt.NDArray[np.uint8]:
@@ -117,7 +118,8 @@ def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> n
 
 def _unit(vectors: Array) -> Array:
     """Return vectors (k, 3) brought to length 1; a vanishing one stays."""
-    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), np.finfo(float).tiny)
+    lengths: Array = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return vectors / np.maximum(lengths, np.finfo(float).tiny)
 
 
 def _paint_points(painter: QPainter, picture: Picture, vertices: Array, seen: Array) -> None:

@@ -20,8 +20,8 @@ from PySide6.QtGui import (
     QTransform,
 )
 
-from qovr_app.style.theme import Rgb
 from qovr_app.style.canvas import blank_image, painting
+from qovr_app.style.theme import Rgb
 
 SMALL, NORMAL = 11, 12
 """Pixel sizes: tick labels and point labels, titles."""

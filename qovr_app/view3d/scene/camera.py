@@ -175,6 +175,17 @@ NAMED_VIEWS = {"paper": (-54.0, 64.0), "top": (-90.0, 90.0), "front": (-90.0, 0.
 90."""
 
 
+def named_view(name: str, camera: Camera) -> Camera:
+    """Return the camera looking in a named direction.
+
+    Raises
+    ------
+    KeyError : there is no such direction
+    """
+    azimuth, elevation = NAMED_VIEWS[name]
+    return replace(camera, azimuth=azimuth, elevation=elevation)
+
+
 @dataclass(frozen=True)
 class Margins:
     """Logical pixels that a fitted picture leaves free on each side, for labels and the colour bar."""

@@ -13,9 +13,9 @@ from qovr_app.view3d.scene.frame import Frame, frame_around
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
-from qovr_core.edits import KnotPlace
 from qovr_core.evaluation import parameters
 from qovr_core.fields import Field, Need, field_values
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.layer import Layer
 
 CURVE_POINTS = 49
@@ -101,6 +101,12 @@ class Scene:
             u, v = (parameters(count) for count in few)
             self.cache[field, few] = field_values(field, self.surface, u, v, self.beside(field.needs))
         return spread(self.cache[field, few], counts)
+
+    @property
+    def caption(self) -> str:
+        """What tells the scene from the ones beside it."""
+        text = ", ".join(part for part in (self.name, "" if self.is_comparison else str(self.layer)) if part)
+        return text[0].upper() + text[1:]
 
     @property
     def net_shape(self) -> tuple[int, int]:

@@ -33,7 +33,7 @@ class Scenes:
             self._other = shown.comparison.made_of(shown.net) if shown.comparison and shown.net else None
         if has_other_net or before.evaluation is not shown.evaluation or _frames_differ(before, shown):
             self._build(keep_limits=shown.dragging and before.settings.scaling is shown.settings.scaling)
-        elif _companions_differ(before, shown):
+        elif shown.companions_differ(before):
             self._own = {layer: replace(scene, companions=shown.companions) for layer, scene in self._own.items()}
             self._compare()
 
@@ -59,11 +59,6 @@ class Scenes:
             number = self._scenes.index(own)
             self._scenes[number], *beside = compared(own, self._other)
             self._scenes += beside
-
-
-def _companions_differ(before: Shown, shown: Shown) -> bool:
-    named = (before.reference_name, before.knot) != (shown.reference_name, shown.knot)
-    return named or before.reference is not shown.reference
 
 
 def _frames_differ(before: Shown, shown: Shown) -> bool:

@@ -8,7 +8,8 @@ from qovr_app.state.display import DisplaySettings
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.scene import Companions, NetIndex
 from qovr_core import Document, Evaluation, ParametricSurface
-from qovr_core.edits import KnotPlace
+from qovr_core.fields import FIELDS
+from qovr_core.geometry.knots import KnotPlace
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +52,23 @@ class Shown:
         is_beside = self.comparison is not None and self.comparison.is_beside
         return len(self.settings.layer.layers) + is_beside
 
+    def differs_visibly(self, before: Shown) -> bool:
+        """Return whether something is seen that was not before, apart from the surface and its net."""
+        field = FIELDS.get(self.settings.colour_by)
+        shows_companions = self.settings.probe or (field is not None and field.needs is not None)
+        return (
+            self.settings != before.settings
+            or self.comparison != before.comparison
+            or (self.selected, self.last_selected) != (before.selected, before.last_selected)
+            or (shows_companions and self.companions_differ(before))
+        )
+
+    def companions_differ(self, before: Shown) -> bool:
+        """Return whether the surface is looked at with something else than before."""
+        named = (self.reference_name, self.knot) != (before.reference_name, before.knot)
+        return named or self.reference is not before.reference
+
     @property
     def net(self) -> Document | None:
         """The document whose control net is shown."""
-        return self.document or (self.evaluation and self.evaluation.document)
+        return self.document or (None if self.evaluation is None else self.evaluation.document)
