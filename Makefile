@@ -1,4 +1,4 @@
-.PHONY: run test bench lint setup
+.PHONY: run test coverage bench lint docs setup
 
 PY := .venv/bin/python
 QOVR := .venv/bin/qovr
@@ -23,6 +23,11 @@ headless:
 test: setup
 	@$(PY) -m pytest --numprocesses auto --dist worksteal
 
+# The same with what the tests reach, other processes included; a third slower.
+coverage: setup
+	@mkdir -p build
+	@$(PY) -m pytest --numprocesses auto --dist worksteal --cov --cov-report term:skip-covered
+
 bench: setup
 	@$(PY) -m pytest --benchmark-quiet tests/benchmarks
 
@@ -30,3 +35,7 @@ lint: setup
 	@$(PY) -m ruff check .
 	@$(PY) -m ruff format --check .
 	@$(PY) -m mypy
+
+docs: setup
+	@$(PY) .ci/docs.py
+	@echo "build/docs/index.html is the library's reference, build/docs/help.html the editor's help."

@@ -77,7 +77,7 @@ def spin(app: object) -> Callable[..., None]:
     """A function that lets the event loop run until something is true, or for some milliseconds."""
     from PySide6.QtTest import QTest
 
-    def run(until: Callable[[], bool] | int, *, seconds: float = 10.0) -> None:
+    def run(until: Callable[[], bool] | int, *, seconds: float = 60.0) -> None:
         if isinstance(until, int):
             QTest.qWait(until)
             return

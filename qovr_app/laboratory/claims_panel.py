@@ -1,28 +1,30 @@
-"""The paper's claims and the verdicts on them, current for the document, found while nothing else is to do."""
+"""The paper's claims and the verdicts on them, current for the document, found beside the work."""
 
 from __future__ import annotations
 
 import html
 import re
-from collections.abc import Iterator
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
-from qovr_app.laboratory.idle_work import IdleWork
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
 from qovr_app.widgets.splitter import LineSplitter
+from qovr_app.work.job import Job
+from qovr_app.work.quiet import QuietJob
+from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Document
 from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.laboratory.verify import Finding, decide
+from qovr_core.laboratory.verify import Finding, verify
+from qovr_core.number_texts import short_text
 
 _FIRST_WIDTHS = (450, 200)
 
@@ -30,8 +32,8 @@ _FIRST_WIDTHS = (450, 200)
 class ClaimsPanel(LaboratoryPanel):
     """A table of verdicts, what is behind the current one, and the documents that show it.
 
-    The verdicts are computed in pieces of a few milliseconds, one whenever the event loop has nothing else to do. A
-    change of the document stops that at once; until there are new verdicts the old ones are shown as old.
+    The worker decides while nothing changes. A change of the document stops that at once; until there are new verdicts
+    the old ones are shown as old.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -39,9 +41,7 @@ class ClaimsPanel(LaboratoryPanel):
         self._document: Document | None = None
         self._found = 0
         self._row: list[Finding] = []
-        self._work = IdleWork(self._begin, self)
-        self._work.found.connect(self._on_found)
-        self._work.failed.connect(lambda error: self._show_state(f"No verdicts: {error}."))
+        self._work = QuietJob(self._begin, self)
         self._table = ClaimsTable(self)
         self._table.finding_changed.connect(self._show_finding)
         self._table.opening_requested.connect(self._open_first)
@@ -68,6 +68,9 @@ class ClaimsPanel(LaboratoryPanel):
         """Whether every verdict shown is the document's."""
         return self._found == self._all
 
+    def use_worker(self, worker: Worker) -> None:
+        self._worker = worker
+
     def show_document(self, document: Document) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
         self._table.show_formulation(document.formulation)
@@ -93,12 +96,13 @@ class ClaimsPanel(LaboratoryPanel):
 
     # Looking for verdicts
 
-    def _begin(self) -> Iterator[Finding]:
+    def _begin(self) -> Job:
         self._found, self._row = 0, []
-        return (
-            decide(claim, self._document, formulation)
-            for claim in CLAIMS.values()
-            for formulation in FORMULATIONS.values()
+        return self._worker.run(
+            verify,
+            self._document,
+            on_progress=self._on_found,
+            on_failed=lambda error: self._show_state(f"No verdicts: {error}."),
         )
 
     def _on_found(self, finding: Finding) -> None:
@@ -185,12 +189,12 @@ def _details_html(finding: Finding) -> str:
     failing = "" if finding.counterexample is None else "another document, drawn or made for the trial"
     if failing and not here.holds:
         failing = "this document itself"
-    measured = here.what[0].upper() + here.what[1:]
+    measured, value = here.what[0].upper() + here.what[1:], short_text(here.value)
     paragraphs = [
         f"<b>{_rich(claim.name)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
         f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
         f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
-        f"{_rich(measured)}: <b>{number(here.value)}</b> here, {number(finding.largest)} at most in all trials.",
+        f"{_rich(measured)}: <b>{value}</b> here, {short_text(finding.largest)} at most in all trials.",
         f"Found: {_rich(here.note)}." if here.note else "",
         f"Counterexample: {failing}." if failing else "",
     ]

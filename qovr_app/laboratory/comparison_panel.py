@@ -2,24 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-
 from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
-from qovr_app.laboratory.idle_work import IdleWork
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
-from qovr_app.laboratory.pieces import comparison_pieces
 from qovr_app.state.display import Placement
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.widgets.parts import symbol
+from qovr_app.work.job import Job
+from qovr_app.work.quiet import QuietJob
+from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.laboratory.comparison import DEFAULT_POINT, Comparison, ComparisonInput, Measures, compared_names
+from qovr_core.laboratory.comparison import (
+    DEFAULT_POINT,
+    Comparison,
+    ComparisonInput,
+    Measures,
+    compare,
+    compared_names,
+)
 from qovr_core.laboratory.comparison_report import copied_text
 from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
 
@@ -30,9 +36,8 @@ Seen = tuple[ComparisonSurface, Placement, tuple[int, int], float] | None
 class ComparisonPanel(LaboratoryPanel):
     """Follows the document and the selected point.
 
-    The measures are taken in pieces of some ten milliseconds, one whenever the event loop has nothing else to do; a
-    change stops that at once, and until there are new ones the old are shown pale. The other surface is in the view
-    while the panel is shown.
+    The worker measures while nothing changes; a change stops that at once, and until there are new measures the old are
+    shown pale. The other surface is in the view while the panel is shown.
     """
 
     def __init__(self, parent: QWidget | None = None) -> None:
@@ -42,9 +47,7 @@ class ComparisonPanel(LaboratoryPanel):
         self._input: ComparisonInput | None = None
         self._measures: dict[str, Measures] = {}
         self._seen: Seen = None
-        self._work = IdleWork(self._begin, self)
-        self._work.found.connect(self._on_found)
-        self._work.failed.connect(self._refuse)
+        self._work = QuietJob(self._begin, self)
         self._bar = ComparisonBar(self)
         self._bar.view_changed.connect(self._show_in_view)
         self._bar.weight_changed.connect(self._on_weight_changed)
@@ -65,6 +68,9 @@ class ComparisonPanel(LaboratoryPanel):
 
     def use_commands(self, commands: dict[str, QAction]) -> None:
         self._bar.distances.use(commands["colour_by_distance"])
+
+    def use_worker(self, worker: Worker) -> None:
+        self._worker = worker
 
     def show_document(self, document: Document) -> None:
         """Measure again when nothing has changed for a while."""
@@ -125,14 +131,18 @@ class ComparisonPanel(LaboratoryPanel):
         self._bar.set_copyable(False)
         self._work.restart()
 
-    def _begin(self) -> Iterator[tuple[str, Measures] | None]:
+    def _begin(self) -> Job | None:
         self._measures = {}
-        self._input = ComparisonInput(self._document, self._point, self._bar.weight)
+        try:
+            self._input = ComparisonInput(self._document, self._point, self._bar.weight)
+        except QovrError as error:
+            self._refuse(error)
+            return None
         self._state.setText(f"{_motion_html(self._input)} Measuring …")
-        return comparison_pieces(self._input)
+        values = (self._input.document, self._input.point, self._input.weight)
+        return self._worker.run(compare, *values, on_progress=self._on_found, on_failed=self._refuse)
 
-    def _on_found(self, found: tuple[str, Measures]) -> None:
-        name, measures = found
+    def _on_found(self, name: str, measures: Measures) -> None:
         self._measures[name] = measures
         self._table.show_measures(name, measures, self._input.document.net_size)
         if self.is_current:

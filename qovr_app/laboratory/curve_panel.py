@@ -10,7 +10,6 @@ from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
 from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.laboratory.plots import Captioned
-from qovr_app.state.number_texts import number_text
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import coloured, symbol_html
@@ -21,6 +20,7 @@ from qovr_core.document import NET_SIZE
 from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View
+from qovr_core.number_texts import number_text
 
 _CURVES = [(direction, k) for direction in Direction for k in range(NET_SIZE)]
 _SUBSCRIPTS = "₀₁₂₃₄"

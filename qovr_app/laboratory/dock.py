@@ -15,6 +15,7 @@ from qovr_app.laboratory.panel import Focus, LaboratoryPanel
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
 from qovr_app.window.actions import Command
+from qovr_app.work.worker import Worker
 from qovr_core import Document
 
 _FIRST_SIZE = QSize(640, 330)
@@ -90,8 +91,9 @@ class LaboratoryPlace(QWidget):
     told = Signal(str, bool)
     comparison_requested = Signal(object)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._worker = worker
         self._theme = theme_in_force()
         self.setObjectName("laboratory")
         self.setAccessibleName("Laboratory")
@@ -181,6 +183,7 @@ class LaboratoryPlace(QWidget):
     def _make_panel(self, entry: PanelEntry) -> LaboratoryPanel:
         panel = entry.make()
         panel.use_commands(self._commands)
+        panel.use_worker(self._worker)
         panel.setObjectName(f"laboratory.{entry.name}")
         panel.setAccessibleName(entry.title.replace("&", ""))
         for signal in ("document_requested", "values_edited", "figure_requested", "told", "comparison_requested"):

@@ -12,11 +12,12 @@ from qovr_app.state.display import ColourMap, ThemeName
 from qovr_app.style.colour_bar import BAR_FRAME, draw_bar, tick_line
 from qovr_app.style.colour_maps import colour_table, colours_of
 from qovr_app.style.theme import Theme, theme_of
-from qovr_app.style.ticks import tick_positions, tick_texts
+from qovr_app.style.ticks import tick_positions
 from qovr_core import Edge
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence
 from qovr_core.laboratory.levels import level_line
+from qovr_core.number_texts import tick_texts
 
 COLOURS = ColourMap.VIRIDIS
 """Nothing is dark and much is bright, evenly: a map for a magnitude that begins at 0."""

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.scene.scene import NetIndex
+from qovr_app.work.worker import Worker
 from qovr_core import Document
 from qovr_core.edits import KnotPlace
 
@@ -38,6 +39,9 @@ class LaboratoryPanel(QWidget):
 
     def use_commands(self, commands: dict[str, QAction]) -> None:
         """Take the window's commands by name, once; panels that need none of them do nothing."""
+
+    def use_worker(self, worker: Worker) -> None:
+        """Take the window's worker, once; panels whose work takes no time do nothing."""
 
     def show_document(self, document: Document) -> None:
         """Show the document of the surface in the view; every panel does it in its own way."""

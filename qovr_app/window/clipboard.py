@@ -6,9 +6,9 @@ from collections.abc import Callable
 
 from PySide6.QtGui import QGuiApplication
 
-from qovr_app.state.number_texts import block_text
 from qovr_app.window.actions import Command
 from qovr_app.window.layout import Workspace
+from qovr_core.number_texts import block_text
 
 
 def clipboard_commands(space: Workspace, tell: Callable[[str], None]) -> list[Command]:

@@ -21,7 +21,7 @@ from qovr_app.window.recovery import RecoveryStore, Unsaved
 from qovr_app.window.session import DOCUMENT_SUFFIX, Session
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.files.sources import PRESET_PREFIX, READERS
+from qovr_core.files.sources import PRESET_PREFIX, readable_suffixes
 
 if TYPE_CHECKING:
     from qovr_app.view3d.view import View3D
@@ -72,7 +72,7 @@ class Desk(QObject):
 
     def open_dialog(self) -> None:
         """Ask for a file and open it."""
-        kinds = " ".join(f"*{suffix}" for suffix in READERS)
+        kinds = " ".join(f"*{suffix}" for suffix in readable_suffixes())
         filters = f"Documents and workbooks ({kinds})"
         name, _ = QFileDialog.getOpenFileName(self._window, "Open", str(self._folder), filters)
         if name:

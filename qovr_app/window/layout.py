@@ -11,6 +11,7 @@ from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.window.controller import Controller, State
 from qovr_app.window.view_frame import ViewPlace
+from qovr_app.work.worker import Worker
 from qovr_app.zones.knots_zone import KnotsZone
 from qovr_app.zones.points_zone import PointsZone
 from qovr_app.zones.surface_zone import SurfaceZone
@@ -36,14 +37,14 @@ class Workspace(LineSplitter):
 
     focus_changed = Signal(object)
 
-    def __init__(self, controller: Controller, parent: QWidget | None = None) -> None:
+    def __init__(self, controller: Controller, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__("workspace", Qt.Orientation.Horizontal, parent)
         self.rows = KnotsZone(Direction.ROWS, self)
         self.columns = KnotsZone(Direction.COLUMNS, self)
         self.points = PointsZone(self)
         self.surface = SurfaceZone(self)
         self.place = ViewPlace(self)
-        self.laboratory = LaboratoryPlace(self)
+        self.laboratory = LaboratoryPlace(worker, self)
         self.focus: Focus = None
         self.field_zones: tuple[FieldZone, ...] = (self.rows, self.columns, self.points)
         self._splitters: dict[str, LineSplitter] = {"workspace": self}

@@ -30,7 +30,7 @@ from qovr_app.window.window_commands import go_commands, help_commands, window_c
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
 from qovr_core import Document, Evaluation, Formulation
-from qovr_core.files.sources import READERS
+from qovr_core.files import readable_suffixes
 from qovr_core.presets import figure_cases
 
 if TYPE_CHECKING:
@@ -61,14 +61,14 @@ class MainWindow(QMainWindow):
         if source is not None:
             self.session.open(source)
         self.controller = Controller(self.session, self)
-        self._worker = Worker(self)
+        self.worker = Worker(self)
         self._notices = Notices(self)
         self._preferences = preferences
         self._settings = DisplaySettings(theme=theme_in_force().name)
         if preferences:
             self._settings = preferences.display(self._settings)
-        self.workspace = Workspace(self.controller, self)
-        self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self, worker=self._worker)
+        self.workspace = Workspace(self.controller, self.worker, self)
+        self.desk = Desk(self.session, self.controller, lambda: self.view, preferences, self, worker=self.worker)
         self.colours = ColourDesk(self.session, self.controller, lambda: self.view, self)
         self._keeper: Keeper | None = None
         self._shown: tuple[Evaluation, Document] | None = None
@@ -89,7 +89,7 @@ class MainWindow(QMainWindow):
 
     def protect(self, store: RecoveryStore) -> None:
         """Keep what is not saved where a crash does not reach it, and offer what an earlier run left there."""
-        self._keeper = Keeper(self.session, store, self)
+        self._keeper = Keeper(self.session, store, self.worker, self)
         self._keeper.failed.connect(lambda reason: self.tell(reason, refused=True))
         self.desk.offer(store)
 
@@ -335,7 +335,7 @@ class MainWindow(QMainWindow):
             return
         self._remember_layout()
         self.desk.release()
-        self._worker.close()
+        self.worker.close()
         self._notices.close()
         if self._keeper is not None:
             self._keeper.close()
@@ -345,4 +345,4 @@ class MainWindow(QMainWindow):
 def _dropped_source(event: QDropEvent) -> str:
     """Return the first dropped file that can be opened; empty where there is none."""
     paths = (url.toLocalFile() for url in event.mimeData().urls())
-    return next((path for path in paths if path.lower().endswith(tuple(READERS))), "")
+    return next((path for path in paths if path.lower().endswith(readable_suffixes())), "")

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import secrets
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
 from PySide6.QtCore import QLockFile, QObject, QStandardPaths, QTimer, Signal
 
 from qovr_app.window.session import Session
+from qovr_app.work.worker import Worker
 from qovr_core import Document, FileError, QovrError
 from qovr_core.files.atomic import replacing
 from qovr_core.files.qovr_document import document_from_json, document_to_json
@@ -74,8 +74,16 @@ class RecoveryStore:
             draft.write_text(json.dumps(entries), encoding="utf-8")
 
     def forget(self) -> None:
-        """Delete this window's file."""
-        self._file.unlink(missing_ok=True)
+        """Delete this window's file.
+
+        Raises
+        ------
+        FileError : the file cannot be deleted
+        """
+        try:
+            self._file.unlink(missing_ok=True)
+        except OSError as error:
+            raise FileError(f"{self._file}: cannot be deleted: {error.strerror or error}") from error
 
     def close(self) -> None:
         """Delete this window's file, for good."""
@@ -148,8 +156,8 @@ Snapshot = tuple[Document, str, Path | None]
 class Keeper(QObject):
     """Keeps a session's document in a recovery store for as long as it is not saved.
 
-    A thread of its own writes, always the latest document: a slow disk delays no drag, and a kill loses at most what
-    was set while one small file was written.
+    A thread writes, always the latest document: a slow disk delays no drag, and a kill loses at most what was set
+    while one small file was written.
 
     Signals
     -------
@@ -158,12 +166,11 @@ class Keeper(QObject):
 
     failed = Signal(str)
 
-    def __init__(self, session: Session, store: RecoveryStore, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, store: RecoveryStore, worker: Worker, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session, self._store = session, store
+        self._session, self._store, self._worker = session, store, worker
         self._has_failed = False
         self._wanted: list[Snapshot | None] = []
-        self._writer = ThreadPoolExecutor(max_workers=1, thread_name_prefix="recovery")
         self._turn = QTimer(self, singleShot=True, interval=0)  # the history knows only then whether it is clean
         self._turn.timeout.connect(self._hand_over)
         session.document_changed.connect(self._turn.start)
@@ -171,27 +178,26 @@ class Keeper(QObject):
         session.history.cleanChanged.connect(self._turn.start)
 
     def close(self) -> None:
-        """Forget the document: it is saved, or nobody wants it."""
+        """Forget the document: it is saved, or nobody wants it; the worker has been closed before."""
         self._turn.stop()
-        self._writer.shutdown(wait=True)
         self._store.close()
 
     def _hand_over(self) -> None:
         session = self._session
         self._wanted.append((session.document, session.title, session.path) if session.is_changed else None)
-        self._writer.submit(self._write)
+        self._worker.in_thread(self._write, on_failed=self._on_failed)
 
     def _write(self) -> None:
         if not self._wanted:
             return  # an earlier call has written the latest already
         snapshot = self._wanted[-1]
         self._wanted.clear()
-        try:
-            if snapshot is None:
-                self._store.forget()
-            else:
-                self._store.keep(*snapshot)
-        except (FileError, OSError) as error:
-            if not self._has_failed:
-                self._has_failed = True
-                self.failed.emit(f"A crash would lose the unsaved changes: {error}.")
+        if snapshot is None:
+            self._store.forget()
+        else:
+            self._store.keep(*snapshot)
+
+    def _on_failed(self, error: QovrError) -> None:
+        if not self._has_failed:
+            self._has_failed = True
+            self.failed.emit(f"A crash would lose the unsaved changes: {error}.")

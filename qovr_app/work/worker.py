@@ -84,6 +84,8 @@ class Worker(QObject):
 
         It is called even where the worker is closed before its turn: what was to be written is written.
         """
+        if self._is_closed:
+            return
         if self._files is None:
             self._files = ThreadPoolExecutor(1, thread_name_prefix="files")
         future = self._files.submit(function, *values)

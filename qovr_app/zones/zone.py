@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
-from qovr_app.state.number_texts import typed_block
+from qovr_app.state.typed import typed_block
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import MARGINS, CompactButton, title_html

@@ -13,16 +13,13 @@ from typing import Any
 from qovr_core.commands.common import DONE, SOURCE_HELP, progress_bar
 from qovr_core.document import Document
 from qovr_core.errors import DocumentError, FileError, QovrError
-from qovr_core.evaluation import configure
-from qovr_core.files import FORMATS, ExportOptions, format_for, read_source
+from qovr_core.files import FORMATS, ExportOptions, export, format_for, read_source
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.layer import Layer
 
-_OF_ONE_LAYER = ", ".join(entry.suffix for entry in FORMATS.values() if entry.holds_one_layer)
-_MESHES = ", ".join(entry.suffix for entry in FORMATS.values() if entry.is_mesh)
-
 
 def add_command(commands: Any) -> None:
+    of_one_layer = ", ".join(suffix for suffix, entry in FORMATS.items() if entry.holds_one_layer)
     command = commands.add_parser("export", help="evaluate and write files", epilog=SOURCE_HELP)
     command.add_argument("source", metavar="SOURCE")
     command.add_argument("outs", metavar="OUT", nargs="+", type=Path, help=f"ends in {', '.join(FORMATS)}")
@@ -31,13 +28,13 @@ def add_command(commands: Any) -> None:
     command.add_argument(
         "--layer",
         choices=[str(layer) for layer in Layer],
-        help=f"which surface {_OF_ONE_LAYER} get (default: transformed; raw for interpolating)",
+        help=f"which surface {of_one_layer} get (default: transformed; raw for interpolating)",
     )
     command.add_argument(
         "--tolerance",
         type=_tolerance,
         metavar="DISTANCE",
-        help=f"largest distance between surface and mesh; {_MESHES} then choose their own samples",
+        help=f"largest distance between surface and mesh; {_meshes()} then choose their own samples",
     )
     command.set_defaults(command=_export)
 
@@ -47,16 +44,19 @@ def _export(arguments: argparse.Namespace) -> int:
     formats = [format_for(out) for out in arguments.outs]
     options = ExportOptions(arguments.layer, arguments.tolerance)
     if options.tolerance is not None and not any(target.is_mesh for target in formats):
-        raise QovrError(f"--tolerance is for a mesh; expected an OUT that ends in {_MESHES}")
+        raise QovrError(f"--tolerance is for a mesh; expected an OUT that ends in {_meshes()}")
     for out, target in zip(arguments.outs, formats, strict=True):
         target.check(document, out)
         _check_folder(out)
         _announce(target.announce(document), out)
-    surface = configure(document)
-    for out, target in zip(arguments.outs, formats, strict=True):
+    for out in arguments.outs:
         with progress_bar(out.name) as progress:
-            target.write(surface, out, progress, options)
+            export(document, out, options, progress)
     return DONE
+
+
+def _meshes() -> str:
+    return ", ".join(suffix for suffix, entry in FORMATS.items() if entry.is_mesh)
 
 
 def _changed(document: Document, arguments: argparse.Namespace) -> Document:

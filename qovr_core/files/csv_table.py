@@ -10,6 +10,8 @@ import numpy as np
 
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
+from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
 from qovr_core.files.qovr_document import document_to_json
@@ -22,7 +24,7 @@ def inputs_path(path: Path) -> Path:
     return path.with_suffix(".inputs.json")
 
 
-def write_csv(evaluation: Evaluation, path: Path, progress: Progress) -> None:
+def write_csv(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
     """Write all points at full precision, u-major, and the inputs beside them; both files or neither.
 
     Raises
@@ -39,6 +41,15 @@ def write_csv(evaluation: Evaluation, path: Path, progress: Progress) -> None:
                 coordinates = np.hstack([evaluation.raw[i], evaluation.transformed[i]]).tolist()
                 table.writerows((i, j[k], u, v[k], *row) for k, row in enumerate(coordinates))
                 progress((i + 1) / len(evaluation.u))
+
+
+CSV = Format(
+    suffix=".csv",
+    name="CSV table",
+    keeps="all points at full precision, inputs, boxes and matrix in NAME.inputs.json beside it",
+    loses="the surface between its samples, but for the inputs beside it",
+    writer=write_csv,
+)
 
 
 def _inputs_text(evaluation: Evaluation) -> str:

@@ -1,180 +1,36 @@
-"""The one table of export formats."""
+"""The one table of file formats, and the one function that exports."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from operator import attrgetter
 from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
 from qovr_core.evaluation import Evaluation
-from qovr_core.files.csv_table import write_csv
-from qovr_core.files.glb import write_glb
-from qovr_core.files.iges import write_iges
-from qovr_core.files.mat_arrays import write_mat
-from qovr_core.files.npz_arrays import write_npz
-from qovr_core.files.obj import write_obj
+from qovr_core.files.csv_table import CSV
+from qovr_core.files.format import Format
+from qovr_core.files.glb import GLB
+from qovr_core.files.iges import IGES
+from qovr_core.files.mat_arrays import MAT
+from qovr_core.files.npz_arrays import NPZ
+from qovr_core.files.obj import OBJ
 from qovr_core.files.options import DEFAULTS, ExportOptions
-from qovr_core.files.ply import write_ply
+from qovr_core.files.ply import PLY
 from qovr_core.files.progress import Progress, silent
-from qovr_core.files.qovr_document import write_document
-from qovr_core.files.rhino import write_3dm
-from qovr_core.files.step import write_step
-from qovr_core.files.stl import write_stl
-from qovr_core.files.workbook_write import check_workbook_size, workbook_announcement, write_workbook
+from qovr_core.files.qovr_document import QOVR
+from qovr_core.files.rhino import RHINO
+from qovr_core.files.step import STEP
+from qovr_core.files.stl import STL
+from qovr_core.files.workbook_write import WORKBOOK
+from qovr_core.registry import Registry
 
-Writer = Callable[[Evaluation, Path, Progress, ExportOptions], None]
+FORMATS: Registry[Format] = Registry("format", key=attrgetter("suffix"))
+"""All formats by suffix, in the order in which they are offered."""
 
-
-def _any_size(_document: Document, _path: Path) -> None:
-    """Accept every document."""
-
-
-def _nothing_to_say(_document: Document) -> str:
-    """Announce nothing."""
-    return ""
-
-
-def _write_document(evaluation: Evaluation, path: Path, progress: Progress) -> None:
-    write_document(evaluation.document, path)
-    progress(1.0)
-
-
-def _of_everything(write: Callable[[Evaluation, Path, Progress], None]) -> Writer:
-    """Return the writer of a format that holds both layers, and so has nothing to choose."""
-    return lambda surface, path, progress, _options: write(surface, path, progress)
-
-
-@dataclass(frozen=True)
-class Format:
-    """One way out.
-
-    Parameters
-    ----------
-    suffix : of the file, with its dot
-    name : what people call it
-    keeps : what it holds, in one line
-    loses : what it cannot hold, in one line; empty where it loses nothing
-    writer : writes a surface to a path, whole or not at all, telling its progress
-    check : refuses, before any work, a document that the format cannot hold
-    holds_one_layer : whether ``ExportOptions.layer`` decides what is written
-    is_mesh : whether ``ExportOptions.tolerance`` decides how fine
-    announce : says of a document, before the work, how long and how large it will be; empty where that is little
-    """
-
-    suffix: str
-    name: str
-    keeps: str
-    loses: str
-    writer: Writer
-    check: Callable[[Document, Path], None] = _any_size
-    holds_one_layer: bool = False
-    is_mesh: bool = False
-    announce: Callable[[Document], str] = _nothing_to_say
-
-    def write(self, evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
-        """Write a surface to a path, whole or not at all; ``progress`` rises to 1, and what it raises cancels.
-
-        Raises
-        ------
-        FileError : the format cannot hold the surface, or the file cannot be written
-        """
-        self.writer(evaluation, path, progress, options)
-
-
-def _cad(suffix: str, name: str, keeps: str, loses: str, writer: Writer) -> Format:
-    return Format(suffix, name, keeps, loses, writer, holds_one_layer=True)
-
-
-def _mesh(suffix: str, name: str, keeps: str, loses: str, writer: Writer) -> Format:
-    return Format(suffix, name, keeps, loses, writer, holds_one_layer=True, is_mesh=True)
-
-
-_TABLE = (
-    Format(
-        ".xlsx",
-        "Excel workbook",
-        "the published layout, cell for cell; transformed coordinates rounded to 5 decimals",
-        "the sixteenth digit of the points; more than 1,048,572 of them do not fit",
-        _of_everything(write_workbook),
-        check_workbook_size,
-        announce=workbook_announcement,
-    ),
-    Format(
-        ".csv",
-        "CSV table",
-        "all points at full precision, inputs, boxes and matrix in NAME.inputs.json beside it",
-        "the surface between its samples, but for the inputs beside it",
-        _of_everything(write_csv),
-    ),
-    Format(".npz", "NumPy arrays", "inputs, points, boxes and matrix at full precision", "", _of_everything(write_npz)),
-    Format(
-        ".mat",
-        "MATLAB arrays",
-        "inputs, points, boxes and matrix at full precision, for MATLAB and Octave",
-        "",
-        _of_everything(write_mat),
-    ),
-    _cad(
-        ".step",
-        "STEP AP214",
-        "the exact surface, one B-spline face of its true degree, in millimetres",
-        "nothing of the surface; control net, knots and samples, but for the document as an attribute",
-        write_step,
-    ),
-    _cad(
-        ".iges",
-        "IGES 5.3",
-        "the exact surface, one B-spline surface (entity 128) of its true degree, in millimetres",
-        "nothing of the surface; control net, knots and samples, but for the document as text",
-        write_iges,
-    ),
-    _cad(
-        ".3dm",
-        "Rhino model",
-        "the exact surface of its true degree in millimetres, control net and points, the document as user text",
-        "the samples and the other layer, which the document makes again",
-        write_3dm,
-    ),
-    _mesh(
-        ".obj",
-        "Wavefront OBJ",
-        "triangles at full precision, exact normals",
-        "the surface between its vertices; colours",
-        write_obj,
-    ),
-    _mesh(
-        ".stl",
-        "STL, binary",
-        "triangles in 32 bits; moved to the origin, which the header tells, where they would lose digits",
-        "the surface between its vertices; shared vertices, normals, colours, the unit",
-        write_stl,
-    ),
-    _mesh(
-        ".ply",
-        "Stanford PLY, binary",
-        "triangles at full precision, normals, colours by height",
-        "the surface between its vertices",
-        write_ply,
-    ),
-    _mesh(
-        ".glb",
-        "glTF 2.0, binary",
-        "triangles in 32 bits about their centre, in metres and Y up, normals, colours by height",
-        "the surface between its vertices; digits beyond the seventh of its size",
-        write_glb,
-    ),
-    Format(
-        ".qovr",
-        "QOVR document",
-        "the document, exactly",
-        "the points, which the document makes again",
-        _of_everything(_write_document),
-    ),
-)
-
-FORMATS = {entry.suffix: entry for entry in _TABLE}
+for _record in (WORKBOOK, CSV, NPZ, MAT, STEP, IGES, RHINO, OBJ, STL, PLY, GLB, QOVR):
+    FORMATS.register(_record)
+FORMATS.seal()
 
 
 def format_for(path: Path) -> Format:
@@ -191,9 +47,7 @@ def format_for(path: Path) -> Format:
         raise SourceError(f"{path}: has {suffix}; expected one of {', '.join(FORMATS)}") from None
 
 
-def export(
-    document: Document, path: Path, options: ExportOptions = DEFAULTS, progress: Callable[[float], None] = silent
-) -> None:
+def export(document: Document, path: Path, options: ExportOptions = DEFAULTS, progress: Progress = silent) -> None:
     """Evaluate a document and write it in the format that the path's suffix names, whole or not at all.
 
     Parameters
@@ -206,8 +60,8 @@ def export(
     FileError : the format cannot hold the surface, or the file cannot be written
     SourceError : no format has this suffix
     """
-    entry = format_for(path)
-    entry.check(document, path)
+    target = format_for(path)
+    target.check(document, path)
     evaluation = Evaluation(document)
     progress(0.0)
-    entry.write(evaluation, path, progress, options)
+    target.write(evaluation, path, progress, options)

@@ -12,9 +12,10 @@ from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline, step
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, origin, timestamp
+from qovr_core.files.provenance import PROGRAM, UNIT, origin, timestamp
 from qovr_core.files.qovr_document import document_to_json
 
 ENTITY = 128
@@ -43,6 +44,16 @@ def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: 
     with replacing(path) as (draft,):
         draft.write_text(text, encoding="ascii", newline="\n")
         progress(1.0)
+
+
+IGES = Format(
+    suffix=".iges",
+    name="IGES 5.3",
+    keeps=f"the exact surface, one B-spline surface (entity {ENTITY}) of its true degree, in {UNIT}",
+    loses="nothing of the surface; control net, knots and samples, but for the document as text",
+    writer=write_iges,
+    holds_one_layer=True,
+)
 
 
 def real(value: float) -> str:

@@ -10,12 +10,14 @@ from qovr_core.errors import FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.array_document import INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
 from qovr_core.files.mat_read import read_arrays
 from qovr_core.files.npz_arrays import surface_arrays
+from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 
 
-def write_mat(evaluation: Evaluation, path: Path, progress: Progress) -> None:
+def write_mat(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
     """Write all arrays of a surface, whole or not at all; ``u`` and ``v`` are columns, texts are char rows.
 
     Raises
@@ -47,3 +49,13 @@ def read_mat(path: Path) -> Document:
     except (ValueError, zlib.error) as error:
         raise FileError(f"{path}: cannot be read: {error}") from error
     return document_from_arrays(arrays, path)
+
+
+MAT = Format(
+    suffix=".mat",
+    name="MATLAB arrays",
+    keeps="inputs, points, boxes and matrix at full precision, for MATLAB and Octave",
+    loses="",
+    writer=write_mat,
+    reader=read_mat,
+)

@@ -79,9 +79,10 @@ def build_mesh(
     patch = options.chosen_patch(evaluation)
     bspline.check_area(patch, path)
     progress(0.0)
-    u, v, points = evaluation.u, evaluation.v, options.chosen_samples(evaluation)
     measured = None
-    if options.tolerance is not None:
+    if options.tolerance is None:
+        u, v, points = evaluation.u, evaluation.v, options.chosen_samples(evaluation)
+    else:
         u, v = _fine_grid(patch, options.tolerance, rounding, path)
         points = patch.points(u, v)
         measured = tessellation.deviation(patch, points) + rounding

@@ -13,6 +13,8 @@ from qovr_core.errors import FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.array_document import INPUTS, LARGEST_INPUT, document_from_arrays
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
+from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
 from qovr_core.geometry.knots import knot_array
@@ -37,7 +39,7 @@ def surface_arrays(evaluation: Evaluation) -> dict[str, Any]:
     }
 
 
-def write_npz(evaluation: Evaluation, path: Path, progress: Progress) -> None:
+def write_npz(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
     """Write all arrays of a surface, whole or not at all.
 
     Raises
@@ -68,6 +70,16 @@ def read_npz(path: Path) -> Document:
         reason = " ".join(str(error).split()) or type(error).__name__
         raise FileError(f"{path}: is no whole NumPy archive: {reason}") from error
     return document_from_arrays(arrays, path)
+
+
+NPZ = Format(
+    suffix=".npz",
+    name="NumPy arrays",
+    keeps="inputs, points, boxes and matrix at full precision",
+    loses="",
+    writer=write_npz,
+    reader=read_npz,
+)
 
 
 def _member(archive: zipfile.ZipFile, name: str) -> Any:

@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
@@ -40,6 +41,17 @@ def write_obj(evaluation: Evaluation, path: Path, progress: Progress, options: E
             file.write(text)
             done += count
             progress(MESHED + (1 - MESHED) * done / total)
+
+
+OBJ = Format(
+    suffix=".obj",
+    name="Wavefront OBJ",
+    keeps="triangles at full precision, exact normals",
+    loses="the surface between its vertices; colours",
+    writer=write_obj,
+    holds_one_layer=True,
+    is_mesh=True,
+)
 
 
 def _parts(mesh: Mesh) -> Iterator[tuple[str, int]]:

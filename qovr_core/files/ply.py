@@ -12,6 +12,7 @@ import numpy as np
 from qovr_core.colours import height_colours
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
@@ -51,6 +52,17 @@ def write_ply(evaluation: Evaluation, path: Path, progress: Progress, options: E
             faces["corners"] = mesh.corners[part]
             file.write(faces.tobytes())
             progress(MESHED + (1 - MESHED) * (len(vertices) + part.stop) / total)
+
+
+PLY = Format(
+    suffix=".ply",
+    name="Stanford PLY, binary",
+    keeps="triangles at full precision, normals, colours by height",
+    loses="the surface between its vertices",
+    writer=write_ply,
+    holds_one_layer=True,
+    is_mesh=True,
+)
 
 
 def _header(mesh: Mesh, comments: list[str]) -> str:

@@ -11,8 +11,8 @@ from qovr_core.version import VERSION
 
 PROGRAM = f"QOVR Studio {VERSION}"
 
-UNIT_IN_METRES = 0.001
-"""One unit of a document is a millimetre wherever a format demands a unit."""
+UNIT, UNIT_IN_METRES = "millimetres", 0.001
+"""What one unit of a document is wherever a format demands a unit."""
 
 
 def origin(evaluation: Evaluation, options: ExportOptions) -> str:

@@ -10,7 +10,11 @@ from typing import Any
 from qovr_core.checks import checked_knot, described
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import DocumentError, FileError
+from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
+from qovr_core.files.options import ExportOptions
+from qovr_core.files.progress import Progress
 from qovr_core.geometry.knots import Knots
 
 FORMAT = "qovr-document"
@@ -47,6 +51,21 @@ def write_document(document: Document, path: Path) -> None:
     """
     with replacing(path) as (draft,):
         draft.write_text(document_to_json(document), encoding="utf-8", newline="\n")
+
+
+def _write(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions) -> None:
+    write_document(evaluation.document, path)
+    progress(1.0)
+
+
+QOVR = Format(
+    suffix=".qovr",
+    name="QOVR document",
+    keeps="the document, exactly",
+    loses="the points, which the document makes again",
+    writer=_write,
+    reader=read_document,
+)
 
 
 def document_to_json(document: Document) -> str:

@@ -13,9 +13,10 @@ from qovr_core.errors import DocumentError, FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, origin
+from qovr_core.files.provenance import PROGRAM, UNIT, origin
 from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
 from qovr_core.files.step import uncertainty
 
@@ -60,6 +61,17 @@ def read_3dm(path: Path) -> Document:
         raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
     except (DocumentError, ValueError) as error:
         raise FileError(f"{path}: {error}") from error
+
+
+RHINO = Format(
+    suffix=".3dm",
+    name="Rhino model",
+    keeps=f"the exact surface of its true degree in {UNIT}, control net and points, the document as user text",
+    loses="the samples and the other layer, which the document makes again",
+    writer=write_3dm,
+    reader=read_3dm,
+    holds_one_layer=True,
+)
 
 
 def _document_text(file: BinaryIO) -> str:

@@ -6,23 +6,17 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
-from qovr_core.files.mat_arrays import read_mat
-from qovr_core.files.npz_arrays import read_npz
-from qovr_core.files.qovr_document import read_document
-from qovr_core.files.rhino import read_3dm
-from qovr_core.files.workbook_read import read_workbook
+from qovr_core.files.formats import FORMATS
+from qovr_core.files.qovr_document import QOVR
 from qovr_core.presets import preset
 
 PRESET_PREFIX = "paper:"
 
-READERS = {
-    ".qovr": read_document,
-    ".xlsx": read_workbook,
-    ".npz": read_npz,
-    ".mat": read_mat,
-    ".3dm": read_3dm,
-}
-"""The files that carry a whole document."""
+
+def readable_suffixes() -> tuple[str, ...]:
+    """Return the suffixes of the files that carry a whole document, the document's own first."""
+    readable = [suffix for suffix, entry in FORMATS.items() if entry.reader is not None]
+    return tuple(sorted(readable, key=lambda suffix: suffix != QOVR.suffix))
 
 
 def read_source(source: str) -> Document:
@@ -36,10 +30,8 @@ def read_source(source: str) -> Document:
     if source.startswith(PRESET_PREFIX):
         return preset(source.removeprefix(PRESET_PREFIX)).document
     path = Path(source)
-    try:
-        reader = READERS[path.suffix.lower()]
-    except KeyError:
-        raise SourceError(
-            f"{source}: is no source; expected a file of {', '.join(READERS)}, or {PRESET_PREFIX}NAME"
-        ) from None
-    return reader(path)
+    entry = FORMATS.get(path.suffix.lower())
+    if entry is None or entry.reader is None:
+        expected = f"a file of {', '.join(readable_suffixes())}, or {PRESET_PREFIX}NAME"
+        raise SourceError(f"{source}: is no source; expected {expected}")
+    return entry.reader(path)

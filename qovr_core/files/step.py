@@ -16,9 +16,10 @@ from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, origin, timestamp
+from qovr_core.files.provenance import PROGRAM, UNIT, origin, timestamp
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.geometry.patch import Edge
 
@@ -52,6 +53,16 @@ def write_step(evaluation: Evaluation, path: Path, progress: Progress, options: 
     with replacing(path) as (draft,):
         draft.write_text(_header(path, description) + data, encoding="ascii", newline="\n")
         progress(1.0)
+
+
+STEP = Format(
+    suffix=".step",
+    name="STEP AP214",
+    keeps=f"the exact surface, one B-spline face of its true degree, in {UNIT}",
+    loses="nothing of the surface; control net, knots and samples, but for the document as an attribute",
+    writer=write_step,
+    holds_one_layer=True,
+)
 
 
 def uncertainty(points: Array) -> float:

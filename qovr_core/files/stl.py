@@ -11,6 +11,7 @@ from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
+from qovr_core.files.format import Format
 from qovr_core.files.mesh import MESHED, blocks, build_mesh, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
@@ -43,6 +44,17 @@ def write_stl(evaluation: Evaluation, path: Path, progress: Progress, options: E
             facets["points"] = corners
             file.write(facets.tobytes())
             progress(MESHED + (1 - MESHED) * part.stop / len(mesh.faces))
+
+
+STL = Format(
+    suffix=".stl",
+    name="STL, binary",
+    keeps="triangles in 32 bits; moved to the origin, which the header tells, where they would lose digits",
+    loses="the surface between its vertices; shared vertices, normals, colours, the unit",
+    writer=write_stl,
+    holds_one_layer=True,
+    is_mesh=True,
+)
 
 
 def shift(points: Array) -> Array:

@@ -15,9 +15,12 @@ from qovr_core.errors import FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import published_layout as layout
 from qovr_core.files.atomic import replacing, scratch_folder, unwritable
+from qovr_core.files.format import Format
+from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
 from qovr_core.files.qovr_document import document_to_json
+from qovr_core.files.workbook_read import read_workbook
 from qovr_core.geometry.knots import knot_array
 
 LARGE_WORKBOOK = 100_000
@@ -57,7 +60,7 @@ def workbook_announcement(document: Document) -> str:
     return f"{points:,} points will take about {seconds:.0f} s and {megabytes:.0f} MB"
 
 
-def write_workbook(evaluation: Evaluation, path: Path, progress: Progress) -> None:
+def write_workbook(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
     """Write a surface in the published layout, whole or not at all.
 
     Raises
@@ -74,6 +77,19 @@ def write_workbook(evaluation: Evaluation, path: Path, progress: Progress) -> No
         except XlsxWriterException as error:
             cause = error.args[0] if error.args else error
             raise unwritable(path, cause if isinstance(cause, OSError) else OSError(str(error))) from error
+
+
+WORKBOOK = Format(
+    suffix=".xlsx",
+    name="Excel workbook",
+    keeps="the published layout, cell for cell; "
+    f"transformed coordinates rounded to {layout.TRANSFORMED_DECIMALS} decimals",
+    loses=f"the sixteenth digit of the points; more than {layout.MOST_POINTS:,} of them do not fit",
+    writer=write_workbook,
+    reader=read_workbook,
+    check=check_workbook_size,
+    announce=workbook_announcement,
+)
 
 
 def _write(evaluation: Evaluation, draft: Path, scratch: Path, progress: Progress) -> None:

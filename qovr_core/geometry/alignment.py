@@ -43,7 +43,10 @@ def bounding_box(points: Array) -> Array:
 
 
 def align(raw_box: Array, control_box: Array) -> Alignment:
-    """Return the transformation that maps one box onto the other axis by axis, eqs. (61)-(65).
+    r"""Return the transformation that maps one box onto the other axis by axis, eqs. (61)-(65).
+
+    $$x' = m_x x + c_x, \quad m_x = \frac{x^P_{max} - x^P_{min}}{x^S_{max} - x^S_{min}}, \quad
+    c_x = x^P_{min} - m_x x^S_{min}$$
 
     Parameters
     ----------

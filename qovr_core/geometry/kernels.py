@@ -12,7 +12,9 @@ _BELOW_A_DECIMAL = 1e-9
 
 
 def kernels(knots: npt.ArrayLike) -> Array:
-    """Return the blending kernels M of (14): rows are [x^2 x 1] at x = 0, the knot and 1.
+    r"""Return the blending kernels M of (14): rows are [x^2 x 1] at x = 0, the knot and 1.
+
+    $$M = \begin{bmatrix} 0 & 0 & 1 \\\\ k^2 & k & 1 \\\\ 1 & 1 & 1 \end{bmatrix}$$
 
     Parameters
     ----------
@@ -33,7 +35,10 @@ def kernels(knots: npt.ArrayLike) -> Array:
 
 
 def inverse_kernels(knots: npt.ArrayLike, *, decimals: int | None = None) -> Array:
-    """Return the inverse kernels M^-1 of (17), (21), (22) in the paper's closed form.
+    r"""Return the inverse kernels M^-1 of (17), (21), (22) in the paper's closed form.
+
+    $$M^{-1} = \begin{bmatrix} \frac{1}{k} & \frac{1}{k (k - 1)} & \frac{1}{1 - k}
+    \\\\ -\frac{k + 1}{k} & \frac{1}{k (1 - k)} & \frac{k}{k - 1} \\\\ 1 & 0 & 0 \end{bmatrix}$$
 
     Parameters
     ----------

@@ -34,7 +34,9 @@ def product_surface(along_u: Array, along_v: Array) -> Array:
 
 
 def boolean_sum(net: Array, row_knots: Array, column_knots: Array) -> Array:
-    """Return the Boolean-sum (Gordon) surface of the curve network, blended with the weights of the mean knots.
+    r"""Return the Boolean-sum (Gordon) surface of the curve network, blended with the weights of the mean knots.
+
+    $$S(u, v) = \sum_j w_j(u) K_j(v) + \sum_i w_i(v) C_i(u) - \sum_i \sum_j w_i(v) w_j(u) P_{i,j}$$
 
     Parameters are those of ``network_curves``; the result is (..., 7, 7, 3).
     """

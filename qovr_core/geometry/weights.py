@@ -25,7 +25,10 @@ _BLEND = (
 
 
 def transformations(knots: npt.ArrayLike) -> Array:
-    """Return the parameter transformations r(u), s(u), t(u) of (24)-(26) as Bernstein coefficients.
+    r"""Return the parameter transformations r(u), s(u), t(u) of (24)-(26) as Bernstein coefficients.
+
+    $$r(u) = r + (1 - r) \frac{u}{u_{ip}}, \quad s(u) = u + \frac{s - u_{ip}}{u_{ip}^2 - u_{ip}} (u^2 - u), \quad
+    t(u) = t \frac{u - u_{ip}}{1 - u_{ip}}$$
 
     Parameters
     ----------
@@ -49,7 +52,12 @@ def transformations(knots: npt.ArrayLike) -> Array:
 
 
 def weight_coefficients(knots: npt.ArrayLike, *, kernel_decimals: int | None = None) -> Array:
-    """Return the five blending weights of QOVR curves as Bernstein coefficients, eq. (23).
+    r"""Return the five blending weights of QOVR curves as Bernstein coefficients, eq. (23).
+
+    With x_0, x_1, x_2 = r(u), s(u), t(u) and the parabolas' kernels M_p of the knots r, s, t:
+
+    $$C(u) = \sum_{p=0}^{2} \binom{2}{p} u^p (1 - u)^{2 - p} \,
+    [x_p^2 \; x_p \; 1] \, M_p^{-1} \, [P_p \; P_{p+1} \; P_{p+2}]^T$$
 
     Parameters
     ----------

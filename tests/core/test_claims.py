@@ -1,5 +1,6 @@
 """The paper's claims: the verdicts that are expected, and each measurement against another way to compute it."""
 
+import pickle
 from dataclasses import replace
 from itertools import product
 
@@ -425,3 +426,11 @@ def test_fairness_is_decided_by_the_document_against_catmull_rom(seed):
         assert str(others) in finding.here.note
         aligned = Evaluation(replace(document, formulation=formulation))
         assert fairness.sign_changes(aligned.transformed_patch) == own
+
+
+def test_findings_can_go_to_another_process():
+    for finding in verify(random_document(5)):
+        copy = pickle.loads(pickle.dumps(finding))
+        assert copy.claim in CLAIMS.values()
+        assert (copy.formulation, copy.verdict, copy.largest) == (finding.formulation, finding.verdict, finding.largest)
+        assert copy.counterexample == finding.counterexample

@@ -16,7 +16,7 @@ from qovr_app.window.application import make_application
 from qovr_app.window.desk import ExportDialog
 from qovr_core.edits import Direction, KnotPlace, linked_places, set_values
 from qovr_core.files.qovr_document import document_to_json
-from support.editor import Editor, name_of
+from support.editor import Editor, name_of, wait_until
 
 
 def main():
@@ -35,12 +35,14 @@ def main():
         assert editor.document == following
         if random.random() < 0.5:
             QTest.qWait(1)
-            editor.window._keeper._writer.submit(lambda: None).result()
+            written = []
+            editor.window.worker.in_thread(lambda: None, on_done=written.append)
+            wait_until(lambda written=written: written)
             print("kept", flush=True)
         if random.random() < 0.3:
             editor.window.desk._save_to(folder / "kept.qovr")
         if random.random() < 0.3:
-            dialog = ExportDialog(editor.document, folder / "kept", editor.window)
+            dialog = ExportDialog(editor.document, folder / "kept", editor.window.worker, editor.window)
             dialog._choose(random.choice([".xlsx", ".npz", ".csv"]))
             dialog._run()
             QApplication.processEvents()

@@ -6,10 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from qovr_app.style.ticks import tick_positions, tick_texts
+from qovr_app.style.ticks import tick_positions
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.frame import Frame
 from qovr_core.arrays import Array
+from qovr_core.number_texts import tick_texts
 
 TITLES = ("X-Axis", "Y-Axis", "Z-Axis")
 

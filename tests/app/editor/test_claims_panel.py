@@ -6,33 +6,34 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowser
 
-from qovr_app.laboratory import claims_panel
 from qovr_app.laboratory.claims_panel import ClaimsPanel
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
-from qovr_app.laboratory.idle_work import QUIET_MILLISECONDS
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
+from qovr_app.work.quiet import QUIET_MILLISECONDS
+from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS
-from qovr_core.laboratory.verify import decide, verify
-
-STEPS_BETWEEN = 3
-"""An edit is seen after so many turns of the event loop at most, each of which may take one small step."""
+from qovr_core.laboratory.verify import verify
 
 
 @pytest.fixture
-def steps(monkeypatch):
-    """How many steps of looking for verdicts have been taken."""
-    taken = []
+def found(monkeypatch):
+    """The findings that the worker has told, each of which its process has just decided."""
+    told = []
+    run = Worker.run
 
-    def counted(claim, document, formulation):
-        taken.append(decide(claim, document, formulation))
-        return taken[-1]
+    def counted(worker, function, *values, on_progress=None, **options):
+        def count(finding):
+            told.append(finding)
+            on_progress(finding)
 
-    monkeypatch.setattr(claims_panel, "decide", counted)
-    return taken
+        return run(worker, function, *values, on_progress=count if function is verify else on_progress, **options)
+
+    monkeypatch.setattr(Worker, "run", counted)
+    return told
 
 
 @pytest.fixture
-def lab(editor, steps):
+def lab(editor, found):
     editor.trigger("laboratory_claims")
     return editor
 
@@ -96,22 +97,20 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
     assert state(lab) == "Every claim is decided"
 
 
-def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, spin, steps):
+def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, spin, found):
     spin(lambda: panel(lab).is_current)
     edit(lab, 0.71)
     undisturbed = turns_until_shown(lab)
     for value in (0.72, 0.73, 0.74):
-        before = len(steps)
-        spin(lambda before=before: len(steps) > before + 20)
+        before = len(found)
+        spin(lambda before=before: len(found) > before + 5)
         assert not panel(lab).is_current
-        taken = len(steps)
         edit(lab, value)
         assert turns_until_shown(lab) <= undisturbed
         lab.settle()
-        assert len(steps) - taken <= STEPS_BETWEEN
-        stopped = len(steps)
+        stopped = len(found)
         spin(QUIET_MILLISECONDS // 3)
-        assert len(steps) == stopped
+        assert len(found) == stopped
         assert "grey" in state(lab)
     spin(lambda: panel(lab).is_current)
     findings = {(finding.claim.name, finding.formulation): finding for finding in verify(lab.document)}
@@ -129,24 +128,24 @@ def test_old_verdicts_look_old_until_new_ones_come(lab, spin):
     assert not any(table(lab).item(row, 1).data(Qt.ItemDataRole.UserRole + 2) for row in range(len(CLAIMS)))
 
 
-def test_another_formulation_or_sample_count_changes_no_verdict(lab, spin, steps):
+def test_another_formulation_or_sample_count_changes_no_verdict(lab, spin, found):
     spin(lambda: panel(lab).is_current)
-    taken = len(steps)
+    taken = len(found)
     lab.choose("surface.formulation", "interpolating")
     lab.type_into("surface.samples_u", "31")
     spin(2 * QUIET_MILLISECONDS)
-    assert len(steps) == taken
+    assert len(found) == taken
     assert panel(lab).is_current
     assert table(lab).horizontalHeaderItem(3).font().bold()
     assert not table(lab).horizontalHeaderItem(1).font().bold()
 
 
-def test_a_hidden_panel_does_nothing_and_goes_on_when_it_is_shown(lab, spin, steps):
-    spin(lambda: len(steps) > 5)
+def test_a_hidden_panel_does_nothing_and_goes_on_when_it_is_shown(lab, spin, found):
+    spin(lambda: len(found) > 5)
     lab.trigger("laboratory_claims")
-    taken = len(steps)
+    taken = len(found)
     spin(2 * QUIET_MILLISECONDS)
-    assert len(steps) == taken
+    assert len(found) == taken
     lab.trigger("laboratory_claims")
     spin(lambda: panel(lab).is_current)
 
@@ -189,11 +188,3 @@ def test_a_claim_s_own_cell_stands_for_the_document_s_formulation(lab, spin):
     text = lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
     assert text.startswith("C0, Lemma 1, (45)")
     assert "For published: ✗ false" in text
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [(0.0, "0"), (0.0634, "0.063"), (2.42e-5, "2e−5"), (4.44e-16, "4e−16"), (6.0, "6"), (106, "106"), (2e7, "2e7")],
-)
-def test_numbers_are_short(value, text):
-    assert number(value) == text

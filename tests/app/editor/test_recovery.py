@@ -22,7 +22,7 @@ KILLS = 8
 
 
 def start_victim(home, seed):
-    environment = {**os.environ, "PYTHONPATH": str(TESTS)}
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join([str(TESTS), *sys.path])}
     command = [sys.executable, "-m", "support.victim", str(home), str(seed)]
     return subprocess.Popen(command, env=environment, stdout=subprocess.PIPE, text=True)
 
@@ -31,7 +31,7 @@ def crash(editor, home):
     """Leave a window as a dead process would: with its recovery file and no living owner."""
     QTest.qWait(400)
     keeper = editor.window._keeper
-    keeper._writer.shutdown(wait=True)
+    editor.window.worker.close()
     keeper._store._lock.unlock()
     editor.window._keeper = None
     keeper.deleteLater()
