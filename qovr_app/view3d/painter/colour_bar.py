@@ -116,7 +116,9 @@ def draw_ticks(painter: QPainter, rect: QRectF, colouring: Colouring, theme: The
     low, high = colouring.limits
     values, parts = _ticks(rect, colouring)
     power = _common_power(max(abs(low), abs(high)))
-    texts = tick_texts(values / 10.0**power) if high > low else [significant_text(low / 10.0**power, _DIGITS)]
+    texts = (
+        tick_texts((values / 10.0**power).tolist()) if high > low else [significant_text(low / 10.0**power, _DIGITS)]
+    )
     for part, text in zip(parts.tolist(), texts, strict=True):
         tick = tick_line(rect, part, _TICK_LENGTH)
         painter.setPen(QPen(QColor(*theme.axis), 1.0))
