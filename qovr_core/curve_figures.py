@@ -14,7 +14,6 @@ from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_place
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
-from qovr_core.number_texts import MINUS
 
 SERIES = ("#c9392b", "#be7000", "#148458", "#1c64d8", "#803eb2")
 """The colours of P_0..P_4; Q_p, w_p and its parameter take that of the point P_{p+1} at their knot."""
@@ -171,8 +170,8 @@ def _equalise(axes: Any) -> None:
 
 def _style(axes: Any, plane: Plane, *, outer_only: bool = False) -> None:
     across, up = plane.labels
-    axes.set_xlabel(f"${across}$".replace(MINUS, "-"), fontsize=_SMALL)
-    axes.set_ylabel(f"${up}$".replace(MINUS, "-"), fontsize=_SMALL)
+    axes.set_xlabel(f"${across}$".replace("−", "-"), fontsize=_SMALL)
+    axes.set_ylabel(f"${up}$".replace("−", "-"), fontsize=_SMALL)
     axes.tick_params(labelsize=_SMALL, colors=_QUIET, length=3)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)

@@ -49,6 +49,11 @@ def knots_of(document: Document, direction: Direction) -> tuple[Knots, ...]:
     return document.row_knots if direction is Direction.ROWS else document.column_knots
 
 
+def zone_of(place: Place) -> Zone:
+    """Return the part of the document in which a place lies."""
+    return Zone.CONTROL_POINTS if isinstance(place, CoordinatePlace) else Zone(place.direction.value)
+
+
 def set_point(document: Document, i: int, j: int, point: npt.ArrayLike) -> Document:
     """Return the document with P_{i,j} at ``point``, (3,)."""
     net = document.control_points.copy()
@@ -134,17 +139,20 @@ def set_values(document: Document, values: Mapping[Place, float]) -> Document:
     return replace(document, control_points=net, row_knots=rows, column_knots=columns)
 
 
-def linked_places(place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
+def linked_places(document: Document, place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
     """Return the places that change together with one knot.
 
     Parameters
     ----------
-    curves : whether all five curves of a direction share their knots
-    directions : whether both directions share their knots, curve by curve
+    curves : whether all curves of a direction share their knots
+    directions : whether both directions share their knots, curve by curve, where both have that curve
     """
-    numbers = range(NET_SIZE) if curves else (place.curve,)
-    families = tuple(Direction) if directions else (place.direction,)
-    return tuple(KnotPlace(family, number, place.name) for family in families for number in numbers)
+    return tuple(
+        KnotPlace(family, number, place.name)
+        for family in (Direction if directions else (place.direction,))
+        for number in range(len(knots_of(document, family)))
+        if curves or number == place.curve
+    )
 
 
 def copy_zone(source: Document, target: Document, zone: Zone) -> Document:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
-from qovr_app.laboratory.panel import Focus
 from qovr_app.laboratory.wording import value_text
+from qovr_app.state.editor_state import Focus
 from qovr_app.state.names import AXES, knot_letter, label
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html

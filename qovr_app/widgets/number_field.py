@@ -18,13 +18,12 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
-from qovr_app.state.typed import is_block, typed_number
+from qovr_app.state.number_texts import fitted_text, is_block, number_text, typed_number
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.bursts import Bursts
 from qovr_app.widgets.cell import Marks, paint_cell
 from qovr_core import QovrError
-from qovr_core.number_texts import fitted_text, number_text
 
 _PADDING = 4
 _HEIGHT_BEYOND_TEXT = 4
@@ -146,6 +145,12 @@ class NumberField(QLineEdit):
             return
         self._put(value)
         self.value_edited.emit(value, 0)
+
+    def refuse(self, value: float, reason: str) -> None:
+        """Hold the text as the field's own again, whose number was refused; ``value`` is the number that stays."""
+        self._value, self._shown, self._error = value, number_text(value), reason
+        self._refresh()
+        self.text_owned.emit()
 
     def accept(self) -> None:
         """Take the field's own text, which is a valid number, for the number it shows."""

@@ -9,8 +9,9 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.gestures import next_gesture
+from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.camera import Camera, Size
-from qovr_app.view3d.scene.scene import NetIndex, Scene
+from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array, read_only
 
 _DRAG_START = 3.0

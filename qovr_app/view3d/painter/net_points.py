@@ -6,9 +6,9 @@ import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.painter.text import draw_text
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.view3d.scene.scene import NetIndex
 from qovr_core.arrays import Array, Flags
 
 POINT_RADIUS = 4.5

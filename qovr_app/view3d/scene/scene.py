@@ -21,9 +21,6 @@ from qovr_core.layer import Layer
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
 
-NetIndex = tuple[int, int]
-"""Row i and column j of a control point."""
-
 
 @dataclass(frozen=True, eq=False)
 class Companions:
