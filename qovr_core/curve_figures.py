@@ -9,18 +9,18 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.edits import CURVE_LETTERS
+from qovr_core.geometry.knots import KNOT_NAMES
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.labels import label_places
-from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
+from qovr_core.number_texts import MINUS
 
 SERIES = ("#c9392b", "#be7000", "#148458", "#1c64d8", "#803eb2")
 """The colours of P_0..P_4; Q_p, w_p and its parameter take that of the point P_{p+1} at their knot."""
 
 _PARTS = SERIES[1:4]
 _INK, _QUIET, _WARN = "#20242a", "#70767f", "#b06800"
-_LETTERS = "rst"
 
 _FONT, _SMALL = 9, 8
 _GAP_POINTS = 5.0
@@ -85,7 +85,7 @@ def draw_sensitivity(curve: OneCurve, sheet: Sheet = _FOUR_CURVES) -> Any:
     plane = plane_of(curve.points, sheet.view)
     colours = colormaps["viridis"](np.linspace(0, 0.9, len(_SENSITIVITY)))
     grid = figure.subplots(2, 2, sharex=True, sharey=True)
-    for axes, name in zip(grid.flat, "rsut", strict=True):
+    for axes, name in zip(grid.flat, KNOT_NAMES, strict=True):
         for value, colour in zip(_SENSITIVITY, colours, strict=True):
             changed = replace(curve, knots=replace(curve.knots, **{name: value}))
             axes.plot(*plane.drawn(changed.at(SAMPLES)).T, color=colour, linewidth=1.4, label=f"{value:g}")
@@ -170,8 +170,8 @@ def _equalise(axes: Any) -> None:
 
 def _style(axes: Any, plane: Plane, *, outer_only: bool = False) -> None:
     across, up = plane.labels
-    axes.set_xlabel(f"${across}$".replace("−", "-"), fontsize=_SMALL)
-    axes.set_ylabel(f"${up}$".replace("−", "-"), fontsize=_SMALL)
+    axes.set_xlabel(f"${across}$".replace(MINUS, "-"), fontsize=_SMALL)
+    axes.set_ylabel(f"${up}$".replace(MINUS, "-"), fontsize=_SMALL)
     axes.tick_params(labelsize=_SMALL, colors=_QUIET, length=3)
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
@@ -197,7 +197,7 @@ def _draw_blend(axes: Any, plane: Plane, curve: OneCurve) -> None:
         _draw_part(axes, plane, curve, p, (0.0, 1.0), **_WHOLE)
         _draw_part(axes, plane, curve, p, curve.blended[p], **_BLENDED)
         _draw_part(axes, plane, curve, p, curve.auxiliary[p], **_AUXILIARY)
-    name = f"${CURVE_LETTERS[curve.direction]}({curve.parameter})$"
+    name = f"${curve.direction.letter}({curve.parameter})$"
     axes.plot(*plane.drawn(curve.at(SAMPLES)).T, color=_INK, linewidth=1.8, zorder=3, label=name)
     fold = curve.fold_back
     if fold:
@@ -233,7 +233,7 @@ def _knot_names(curve: OneCurve) -> list[str]:
     names = [f"$P_{k}$" for k in range(5)]
     for p in range(3):
         place = f"{curve.parameter} = {curve.landmarks[p]:.4g}"
-        knot = f"{_LETTERS[p]} = {_LETTERS[p]}_{{ip}} = {curve.internal_knots[p]:.4g}"
+        knot = f"{PARABOLA_LETTERS[p]} = {PARABOLA_LETTERS[p]}_{{ip}} = {curve.internal_knots[p]:.4g}"
         if p == 1:
             place = f"{curve.parameter} = {curve.parameter}_{{ip}} = {curve.knots.u:.4g}"
         names[p + 1] = f"$P_{p + 1}$\n${place}$\n${knot}$"
@@ -248,7 +248,7 @@ def _add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) -
     halo = [withStroke(linewidth=2, foreground="white")]
     to_pixels = axes.transData.transform
     places = named_places(curve, plane, to_pixels)
-    texts = [*names, *(f"$Q_{p}({_LETTERS[p]})$" for p in range(3))]
+    texts = [*names, *(f"$Q_{p}({PARABOLA_LETTERS[p]})$" for p in range(3))]
     colours = [_INK] * 5 + list(_PARTS)
     labels = [
         axes.annotate(text, place, (0, 0), textcoords="offset points", path_effects=halo, color=colour, **centre)
@@ -283,7 +283,7 @@ def _draw_transformations(axes: Any, curve: OneCurve) -> None:
     values = curve.transformed(SAMPLES)
     low, high = min(-0.5, values[:, 1].min()) - 0.1, max(1.5, values[:, 1].max()) + 0.1
     seen = np.where((low < values) & (values < high), values, np.nan)
-    _draw_functions(axes, curve, seen, [f"${letter}$" for letter in _LETTERS], _PARTS)
+    _draw_functions(axes, curve, seen, [f"${letter}$" for letter in PARABOLA_LETTERS], _PARTS)
     places = zip(curve.landmarks, curve.internal_knots, _PARTS, strict=True)
     for u, knot, colour in places:
         axes.plot(u, knot, "o", markersize=4.5, color="white", markeredgecolor=colour, clip_on=False, zorder=5)

@@ -5,11 +5,12 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
-from qovr_app.state.number_texts import number_text, typed_number
+from qovr_app.state.typed import typed_number
 from qovr_core import Document, DocumentError
 from qovr_core.files import Format
 from qovr_core.files.options import ExportOptions
 from qovr_core.layer import Layer
+from qovr_core.number_texts import number_text
 
 
 class ExportChoices(QWidget):

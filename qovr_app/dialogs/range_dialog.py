@@ -7,8 +7,9 @@ import math
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
-from qovr_app.state.number_texts import number_text, typed_number
+from qovr_app.state.typed import typed_number
 from qovr_core.fields import Range
+from qovr_core.number_texts import number_text
 
 
 class RangeDialog(QDialog):

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.requests import DocumentAsked
@@ -26,6 +26,7 @@ from qovr_core import FORMULATIONS, Document
 from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import Finding, verify
+from qovr_core.number_texts import short_text
 
 _FIRST_WIDTHS = (450, 200)
 
@@ -191,12 +192,12 @@ def _details_html(finding: Finding) -> str:
     failing = "" if finding.counterexample is None else "another document, drawn or made for the trial"
     if failing and not here.holds:
         failing = "this document itself"
-    measured = here.what[0].upper() + here.what[1:]
+    measured, value = here.what[0].upper() + here.what[1:], short_text(here.value)
     paragraphs = [
         f"<b>{_rich(claim.name)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
         f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
         f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
-        f"{_rich(measured)}: <b>{number(here.value)}</b> here, {number(finding.largest)} at most in all trials.",
+        f"{_rich(measured)}: <b>{value}</b> here, {short_text(finding.largest)} at most in all trials.",
         f"Found: {_rich(here.note)}." if here.note else "",
         f"Counterexample: {failing}." if failing else "",
     ]

@@ -21,6 +21,7 @@ from qovr_app.style.spacing import SPACE
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS, Claim
 from qovr_core.laboratory.verify import Finding, Verdict
+from qovr_core.number_texts import short_text
 
 MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
 """Read without colour: a tick, a half, a cross."""
@@ -29,7 +30,6 @@ _FIRST, _SECOND, _IS_OLD, _FINDING = (Qt.ItemDataRole.UserRole + k for k in rang
 _LINES = 2
 _COLUMN_WIDTH = 112
 _OLD_OPACITY = 0.4
-_LARGEST_WHOLE = 1e5
 
 
 class ClaimsTable(QTableWidget):
@@ -82,7 +82,7 @@ class ClaimsTable(QTableWidget):
         item = self.item(self._claims.index(finding.claim), 1 + self._formulations.index(finding.formulation))
         here = "holds" if finding.here.holds else "fails"
         item.setData(_FIRST, f"{MARKS[finding.verdict]} {finding.verdict}")
-        item.setData(_SECOND, f"here {here} {number(finding.here.value)}")
+        item.setData(_SECOND, f"here {here} {short_text(finding.here.value)}")
         item.setData(_IS_OLD, False)
         item.setData(_FINDING, finding)
         spoken = f"{finding.claim.name}, {finding.formulation}: {finding.verdict}"
@@ -144,15 +144,6 @@ class ClaimsTable(QTableWidget):
         self.setItem(row, 0, name)
         for column in range(1, self.columnCount()):
             self.setItem(row, column, QTableWidgetItem())
-
-
-def number(value: float) -> str:
-    """Return a measured number as the panel writes it: whole from 100 on, else two digits, one before an exponent."""
-    text = f"{value:.0f}" if 100 <= value < _LARGEST_WHOLE else f"{value:.2g}"
-    if "e" in text:
-        mantissa, exponent = f"{value:.0e}".split("e")
-        text = f"{mantissa}e{int(exponent)}"
-    return text.replace("-", "−")
 
 
 class _TwoLines(QStyledItemDelegate):

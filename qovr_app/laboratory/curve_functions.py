@@ -14,6 +14,7 @@ from qovr_app.style.theme import Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import SAMPLES
+from qovr_core.number_texts import fixed_text
 
 _HEADROOM = 0.1
 """Kept free above and below what a plot must show."""
@@ -63,7 +64,7 @@ class FunctionPlot(Plot):
         """Return the functions' names in their colours as rich text, with their values where they are given."""
         names = self._symbols if named else [""] * len(self._symbols)
         if values is not None:
-            numbers = (f"{value:.{decimals}f}".replace("-", "−") for value in values)
+            numbers = (fixed_text(value, decimals) for value in values)
             names = [f"{name} {number}".strip() for name, number in zip(names, numbers, strict=True)]
         return [coloured(name, colour) for name, colour in zip(names, self.series, strict=True)]
 

@@ -12,7 +12,6 @@ from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.plots import Captioned
 from qovr_app.state.editor_state import EditorState, Focus
 from qovr_app.state.intents import ValuesEdited
-from qovr_app.state.number_texts import number_text
 from qovr_app.state.requests import DrawingAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
@@ -23,9 +22,10 @@ from qovr_app.widgets.parts import CompactButton
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.document import NET_SIZE
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
+from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View
+from qovr_core.number_texts import number_text
 
 _CURVES = [(direction, k) for direction in Direction for k in range(NET_SIZE)]
 _SUBSCRIPTS = "₀₁₂₃₄"
@@ -57,7 +57,7 @@ class CurvePanel(LaboratoryPanel):
         self._choice = QComboBox(self, objectName="laboratory.curve.choice", accessibleName="Curve")
         self._choice.setToolTip("Which of the ten curves; it follows the knot whose field has the keyboard")
         for direction, k in _CURVES:
-            self._choice.addItem(f"{CURVE_LETTERS[direction]}{_SUBSCRIPTS[k]}({PARAMETERS[direction]})")
+            self._choice.addItem(f"{direction.letter}{_SUBSCRIPTS[k]}({direction.parameter})")
         self._choice.setCurrentIndex(NET_SIZE - 1)  # the one row that the published surface uses
         self._view = QComboBox(self, objectName="laboratory.curve.plane", accessibleName="Plane")
         self._view.setToolTip("The plane in which the curve is drawn; the best one runs through its points")
@@ -213,8 +213,8 @@ class CurvePanel(LaboratoryPanel):
     def _what_it_is(self) -> tuple[str, ...]:
         """Return what stands over the curve, at length and shorter."""
         curve = self._curve
-        name = f"<b>{symbol_html(CURVE_LETTERS[curve.direction], str(curve.number))}</b>(<i>{curve.parameter}</i>)"
-        short = f"{name}, degree {4 if curve.knots.is_quartic else 6}"
+        name = f"<b>{symbol_html(curve.direction.letter, str(curve.number))}</b>(<i>{curve.parameter}</i>)"
+        short = f"{name}, degree {curve.knots.degree}"
         formulation = self._document.formulation
         if not formulation.is_active(curve.direction, curve.number):
             return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"

@@ -12,11 +12,12 @@ from qovr_app.state.display import ColourMap, ThemeName
 from qovr_app.style.colour_bar import BAR_FRAME, draw_bar, tick_line
 from qovr_app.style.colour_maps import colour_table, colours_of
 from qovr_app.style.theme import Theme, theme_of
-from qovr_app.style.ticks import tick_positions, tick_texts
+from qovr_app.style.ticks import tick_positions
 from qovr_core import Edge
 from qovr_core.arrays import Array
 from qovr_core.laboratory.influence import Influence
 from qovr_core.laboratory.levels import level_line
+from qovr_core.number_texts import tick_texts
 
 COLOURS = ColourMap.VIRIDIS
 """Nothing is dark and much is bright, evenly: a map for a magnitude that begins at 0."""
@@ -159,7 +160,7 @@ class HeatMap(QWidget):
         draw_bar(painter, bar, colour_table(COLOURS), self._theme, marks)
         largest = self._influence.largest
         values = tick_positions(0.0, largest, max(1, int(bar.width() / _TICK_ROOM)))
-        for value, text in zip(values.tolist(), tick_texts(values), strict=True):
+        for value, text in zip(values.tolist(), tick_texts(values.tolist()), strict=True):
             tick = tick_line(bar, value / largest, _TICK)
             painter.setPen(QPen(QColor(*self._theme.axis), 1.0))
             painter.drawLine(tick)

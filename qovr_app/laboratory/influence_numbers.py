@@ -8,13 +8,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPalette
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
 
-from qovr_app.laboratory.wording import list_text, motion_text, percent_text, value_text
-from qovr_app.state.number_texts import block_text, number_text
+from qovr_app.laboratory.wording import list_text, motion_text, value_text
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
 from qovr_core import Document
 from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, Exponential
 from qovr_core.laboratory.influence import Influence, Reach
+from qovr_core.number_texts import block_text, number_text, percent_text
 
 DISTANCE = "d is the distance in u and v from the place of the largest displacement."
 _ROW_BEYOND_TEXT = 2

@@ -14,7 +14,7 @@ from qovr_app.laboratory.falloff_plot import FalloffPlot
 from qovr_app.laboratory.heat_map import HeatMap
 from qovr_app.laboratory.influence_numbers import FactTable, copied_text, facts
 from qovr_app.laboratory.panel import LaboratoryPanel
-from qovr_app.laboratory.wording import percent_text, value_text
+from qovr_app.laboratory.wording import value_text
 from qovr_app.state.editor_state import EditorState, Focus
 from qovr_app.state.names import ZONE_TITLES
 from qovr_app.store import Store
@@ -22,8 +22,10 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import theme_of
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.edits import KnotPlace, Zone
+from qovr_core.edits import Zone
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import Influence, KnotMove, influence
+from qovr_core.number_texts import percent_text
 
 _NAME = "laboratory.influence"
 _TABLE_WIDTH = 196

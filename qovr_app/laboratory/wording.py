@@ -4,19 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from qovr_app.state.number_texts import number_text
+from qovr_core.number_texts import rounded_text
 
 _DIGITS = 4
 
 
 def value_text(value: float) -> str:
-    """Return a number with four digits and a true minus sign."""
-    return number_text(float(f"{value:.{_DIGITS}g}")).replace("-", "\N{MINUS SIGN}")
-
-
-def percent_text(part: float) -> str:
-    """Return a part of a whole in percent, with three digits."""
-    return f"{float(f'{100 * part:.3g}'):g} %"
+    """Return a number as the panels write it."""
+    return rounded_text(value, _DIGITS)
 
 
 def motion_text(motion: float) -> str:

@@ -10,8 +10,9 @@ from qovr_app.state.editor_state import DocumentFile, EditorState, Selection, wi
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
-from qovr_core.edits import KnotPlace, Place, value_at
+from qovr_core.edits import Place, value_at
 from qovr_core.formulations import FORMULATIONS, Formulation
+from qovr_core.geometry.knots import KnotPlace
 
 Edit = Callable[[Document], Document]
 

@@ -1,4 +1,4 @@
-"""Round numbers for axes: limits, tick positions and their texts."""
+"""Round numbers for axes: limits and tick positions."""
 
 from __future__ import annotations
 
@@ -15,9 +15,6 @@ _SLACK = 1e-9
 _LIMIT_INTERVALS = 5
 """Limits are rounded to a step of about a fifth of the extent: close to the data, and steady while it
 moves."""
-
-_LONGEST_FIXED = 1e6
-_SMALLEST_FIXED = 1e-5
 
 
 def round_step(extent: float, intervals: int) -> float:
@@ -47,19 +44,3 @@ def tick_positions(low: float, high: float, intervals: int) -> Array:
     step = round_step(high - low, max(intervals, 1))
     first, last = math.ceil(low / step - _SLACK), math.floor(high / step + _SLACK)
     return read_only(np.arange(first, last + 1) * step)
-
-
-def tick_texts(positions: Array) -> list[str]:
-    """Return the tick texts with as many decimals as tell neighbours apart, and a true minus sign."""
-    if positions.size == 0:
-        return []
-    largest = float(np.abs(positions).max())
-    step = float(positions[1] - positions[0]) if positions.size > 1 else 0.0
-    step = step or largest or 1.0  # far from 0, neighbours can be one and the same number
-    if largest >= _LONGEST_FIXED or step < _SMALLEST_FIXED:
-        digits = max(0, math.floor(math.log10(largest or step)) - math.floor(math.log10(step) + _SLACK))
-        texts = [f"{value:.{digits}e}" for value in positions]
-    else:
-        decimals = next(d for d in range(8) if abs(round(step, d) - step) <= _SLACK * step)
-        texts = [f"{value:.{decimals}f}" for value in positions + 0.0]
-    return [text.replace("-", "−") for text in texts]

@@ -18,12 +18,13 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
-from qovr_app.state.number_texts import fitted_text, is_block, number_text, typed_number
+from qovr_app.state.typed import is_block, typed_number
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.bursts import Bursts
 from qovr_app.widgets.cell import Marks, paint_cell
 from qovr_core import QovrError
+from qovr_core.number_texts import fitted_text, number_text
 
 _PADDING = 4
 _HEIGHT_BEYOND_TEXT = 4

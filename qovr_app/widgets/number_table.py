@@ -18,10 +18,10 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from qovr_app.state.number_texts import block_text, number_text
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
 from qovr_core.arrays import Array
+from qovr_core.number_texts import block_text, number_text
 
 _MOST_DIGITS = 6
 _FEWEST_DIGITS = 3

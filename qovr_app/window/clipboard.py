@@ -7,10 +7,10 @@ from collections.abc import Callable
 from PySide6.QtGui import QGuiApplication
 
 from qovr_app.state.intents import MessageShown
-from qovr_app.state.number_texts import block_text
 from qovr_app.state.requests import CopyAsked, PasteAsked
 from qovr_app.store import Dispatch
 from qovr_app.window.layout import Layout
+from qovr_core.number_texts import block_text
 
 
 class Clipboard:

@@ -16,7 +16,8 @@ from qovr_app.zones.knots_zone import KnotsZone
 from qovr_app.zones.points_zone import PointsZone
 from qovr_app.zones.surface_zone import SurfaceZone
 from qovr_app.zones.zone import FieldZone
-from qovr_core.edits import Direction, Zone
+from qovr_core.edits import Zone
+from qovr_core.geometry.knots import Direction
 
 _LEFT, _MIDDLE = 264, 364
 """First widths of the two columns: as narrow as four digits stay readable, which leaves the view half of 1280."""

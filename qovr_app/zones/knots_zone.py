@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import FormulationChosen, ValuesEdited
-from qovr_app.state.names import knot_letter, knot_meaning, spoken
+from qovr_app.state.names import knot_meaning, spoken
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
@@ -19,10 +19,11 @@ from qovr_app.zones.zone import FieldZone
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.document import NET_SIZE
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace, Zone, knots_of
+from qovr_core.edits import Zone, knots_of
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, monotone_range
 
 _STEP = 0.01
-_NAMES = {Direction.ROWS: "rsut", Direction.COLUMNS: "tusr"}
+_NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
 """The knots in the order of the paper's window: rightwards for the rows, downwards for the columns."""
 
 
@@ -32,7 +33,7 @@ class KnotsZone(FieldZone):
     _check = staticmethod(checked_knot)
 
     def __init__(self, direction: Direction, store: Store, parent: QWidget | None = None) -> None:
-        letter, parameter = CURVE_LETTERS[direction], PARAMETERS[direction]
+        letter, parameter = direction.letter, direction.parameter
         index = "i" if direction is Direction.ROWS else "j"
         super().__init__(Zone(direction.value), f"{symbol_html(letter, index)}(<i>{parameter}</i>)", store, parent)
         self._direction = direction
@@ -65,7 +66,8 @@ class KnotsZone(FieldZone):
             field, knots = self.fields[place], curves[place.curve]
             field.set_idle(not formulation.is_active(self._direction, place.curve))
             if place.name == "s":
-                field.set_warning("" if knots.is_monotone else _folding_text(self._name(place.curve), knots))
+                name = self._direction.curve_name(place.curve)
+                field.set_warning("" if knots.is_monotone else _folding_text(name, knots))
         self._note.say("<br>".join(self._notes(curves, formulation)))
 
     def copied_block(self) -> list[list[float]]:
@@ -94,14 +96,14 @@ class KnotsZone(FieldZone):
         grid = QGridLayout()
         grid.setHorizontalSpacing(SPACE)
         grid.setVerticalSpacing(2)
-        letter = CURVE_LETTERS[self._direction]
+        letter = self._direction.letter
         for r, row in enumerate(self._table(), start=1):
             for c, place in enumerate(row, start=1):
                 field = self._make_field(place, _STEP)
                 field.set_tip(knot_meaning(place))
                 grid.addWidget(field, r, c)
                 curve = symbol_html(letter, str(place.curve))
-                knot = symbol_html(knot_letter(place), "ip")
+                knot = symbol_html(place.letter, "ip")
                 across, down = (knot, curve) if self._direction is Direction.ROWS else (curve, knot)
                 if c == 1:
                     grid.addWidget(symbol(down, parent=self), r, 0)
@@ -124,23 +126,20 @@ class KnotsZone(FieldZone):
     def _show_slider(self, state: EditorState) -> None:
         place = self._knot
         curves, directions = state.links_curves, state.links_directions
-        letter = CURVE_LETTERS[self._direction]
+        letter = self._direction.letter
         whose = (
             f"{symbol_html(letter, '0')}..{symbol_html(letter, '4')}"
             if curves
             else symbol_html(letter, str(place.curve))
         )
-        more = " + " + ("K" if self._direction is Direction.ROWS else "C") if directions else ""
-        self._caption.setText(f"{symbol_html(knot_letter(place), 'ip')} of {whose}{more}")
+        more = f" + {self._direction.other.letter}" if directions else ""
+        self._caption.setText(f"{symbol_html(place.letter, 'ip')} of {whose}{more}")
         self._slider.setAccessibleName(f"{spoken(place)}, slider")
         monotone = None
         if place.name == "s":
             u = self.fields[KnotPlace(place.direction, place.curve, "u")].value
             monotone = monotone_range(u)
         self._slider.show_knot(self.fields[place].value, monotone)
-
-    def _name(self, curve: int) -> str:
-        return f"{CURVE_LETTERS[self._direction]}_{curve}"
 
     def _notes(self, curves: tuple[Knots, ...], formulation: Formulation) -> list[str]:
         active = [number for number in range(len(curves)) if formulation.is_active(self._direction, number)]
@@ -165,21 +164,16 @@ class KnotsZone(FieldZone):
         return f"Choose {links} to use all {'rows' if self._direction is Direction.ROWS else 'columns'}."
 
     def _symbols(self, numbers: list[int]) -> list[str]:
-        return [symbol_html(CURVE_LETTERS[self._direction], str(number)) for number in numbers]
+        return [symbol_html(self._direction.letter, str(number)) for number in numbers]
 
     def _folding_note(self, folding: list[Knots], numbers: list[int]) -> str:
         shown, s = self._symbols(numbers), symbol_html("s", "ip")
         names = f"{shown[0]}..{shown[-1]}" if len(shown) == NET_SIZE else ", ".join(shown)
         verb = "folds" if len(shown) == 1 else "fold"
         if len({knots.u for knots in folding}) > 1:
-            return f"{names} {verb} back: {s} is too far from {symbol_html(PARAMETERS[self._direction], 'ip')}."
+            return f"{names} {verb} back: {s} is too far from {symbol_html(self._direction.parameter, 'ip')}."
         low, high = monotone_range(folding[0].u)
         return f"{names} {verb} back: {s} lies outside {low:.3g} to {high:.3g}."
-
-
-def monotone_range(u: float) -> tuple[float, float]:
-    """Return the s_ip between which the transformation s(u) of (25) is monotone, for one u_ip."""
-    return u - u * (1 - u), u + u * (1 - u)
 
 
 def _folding_text(name: str, knots: Knots) -> str:

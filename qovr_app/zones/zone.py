@@ -19,7 +19,7 @@ from qovr_app.state.intents import (
     ZoneSet,
 )
 from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
-from qovr_app.state.number_texts import typed_block
+from qovr_app.state.typed import typed_block
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.number_field import NumberField

@@ -8,9 +8,10 @@ from enum import Enum
 from math import degrees, isfinite
 from typing import Any
 
-from qovr_core.geometry.patch import Edge
+from qovr_core.geometry.edges import Edge
 from qovr_core.laboratory.comparison import REFERENCE, SHARES, Comparison, ComparisonInput, Measures
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
+from qovr_core.number_texts import percent_text
 
 _REFERENCE_TITLE = "QOVR"
 _REFERENCE_DESCRIPTION = "The document's own surface, in the layer that lies on the net."
@@ -66,8 +67,8 @@ class Row:
 
 
 def _share_row(index: int, share: float) -> Row:
-    explanation = f"Part of the area that moves by more than {100 * share:g} % of the largest displacement."
-    return Row(f"area moved > {100 * share:g} %", explanation, Unit.SHARE, lambda measures: measures.shares[index])
+    explanation = f"Part of the area that moves by more than {percent_text(share)} of the largest displacement."
+    return Row(f"area moved > {percent_text(share)}", explanation, Unit.SHARE, lambda measures: measures.shares[index])
 
 
 def _edge_row(edge: Edge) -> Row:

@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
+from qovr_core.number_texts import MINUS
 
 _ON_A_LINE = 1e-9
 """Points whose second extent is below this part of the first count as on one line: they single out no plane."""
@@ -84,5 +85,5 @@ def _label(direction: Array) -> str:
     parts = [(value, axis) for value, axis in zip(direction, "xyz", strict=True) if abs(value) >= _NO_PART]
     if len(parts) == 1:
         return parts[0][1]
-    text = " ".join(f"{'+' if value > 0 else '−'} {abs(value):.2f} {axis}" for value, axis in parts)
+    text = " ".join(f"{'+' if value > 0 else MINUS} {abs(value):.2f} {axis}" for value, axis in parts)
     return text.removeprefix("+ ")

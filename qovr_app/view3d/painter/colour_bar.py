@@ -15,12 +15,13 @@ from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
-from qovr_app.style.ticks import tick_positions, tick_texts
+from qovr_app.style.ticks import tick_positions
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
+from qovr_core.number_texts import power_text, significant_text, tick_texts
 
 _WIDTH = 14.0
 _RIGHT = 78.0
@@ -35,7 +36,8 @@ _FACTOR_GAP = 9.0
 _PLAIN_POWERS = range(-1, 4)
 """Powers of ten of numbers that are written in full; what is smaller or larger has its power over the bar."""
 
-_SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+_DIGITS = 4
+"""Of the one value where all are the same."""
 
 
 def bar_rect(size: Size) -> QRectF:
@@ -114,16 +116,17 @@ def draw_ticks(painter: QPainter, rect: QRectF, colouring: Colouring, theme: The
     low, high = colouring.limits
     values, parts = _ticks(rect, colouring)
     power = _common_power(max(abs(low), abs(high)))
-    texts = tick_texts(values / 10.0**power) if high > low else [_short(low / 10.0**power)]
+    texts = (
+        tick_texts((values / 10.0**power).tolist()) if high > low else [significant_text(low / 10.0**power, _DIGITS)]
+    )
     for part, text in zip(parts.tolist(), texts, strict=True):
         tick = tick_line(rect, part, _TICK_LENGTH)
         painter.setPen(QPen(QColor(*theme.axis), 1.0))
         painter.drawLine(tick)
         draw_text(painter, plain(text), (rect.right() + _TICK_GAP, tick.y1()), (0, 0.5), theme.quiet_ink)
     if power:
-        factor = f"×10{str(power).translate(_SUPERSCRIPTS)}"
         over = rect.left(), rect.top() - _FACTOR_GAP - (_ARROW if colouring.beyond[1] else 0.0)
-        draw_text(painter, plain(factor), over, (0, 0.5), theme.quiet_ink)
+        draw_text(painter, plain(power_text(power)), over, (0, 0.5), theme.quiet_ink)
     return max((text_size(plain(text), SMALL)[0] for text in texts), default=0.0)
 
 
@@ -137,10 +140,6 @@ def _ticks(rect: QRectF, colouring: Colouring) -> tuple[Array, Array]:
     else:
         values = np.array(colouring.pattern.ticks)
     return values, (values - low) / (high - low)
-
-
-def _short(value: float) -> str:
-    return f"{value:.4g}".replace("-", "−")
 
 
 def _common_power(largest: float) -> int:

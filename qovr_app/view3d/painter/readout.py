@@ -12,6 +12,7 @@ from qovr_app.view3d.painter.text import SMALL, draw_text, plain, with_subscript
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.probing import Parameters, Reading, reading_at
+from qovr_core.number_texts import significant_text
 
 _CORNER = (10.0, 34.0)
 """Below the caption that tells two viewports apart."""
@@ -64,7 +65,7 @@ def draw_readout(painter: QPainter, picture: Picture, probed: Parameters, size: 
 
 
 def _number(value: float) -> str:
-    """Return a number with as many digits as can be told from its neighbours, and a true minus sign."""
+    """Return a number with as many digits as can be told from its neighbours."""
     if math.isnan(value):
         return "undefined"
-    return f"{value:.{_DIGITS}g}".replace("e-0", "e-").replace("e+0", "e").replace("-", "−")
+    return significant_text(value, _DIGITS)

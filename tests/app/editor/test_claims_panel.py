@@ -5,7 +5,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowser
 
 from qovr_app.laboratory.claims_panel import ClaimsPanel
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, number
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
 from qovr_app.state.intents import PointDragged
 from qovr_app.work.quiet import QUIET_MILLISECONDS
 from qovr_app.work.worker import Worker
@@ -185,11 +185,3 @@ def test_a_claim_s_own_cell_stands_for_the_document_s_formulation(lab, spin):
     text = lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
     assert text.startswith("C0, Lemma 1, (45)")
     assert "For published: ✗ false" in text
-
-
-@pytest.mark.parametrize(
-    ("value", "text"),
-    [(0.0, "0"), (0.0634, "0.063"), (2.42e-5, "2e−5"), (4.44e-16, "4e−16"), (6.0, "6"), (106, "106"), (2e7, "2e7")],
-)
-def test_numbers_are_short(value, text):
-    assert number(value) == text

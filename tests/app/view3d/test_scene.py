@@ -9,7 +9,7 @@ import pytest
 
 from qovr_app.state.display import ColourMap, Scaling, Style
 from qovr_app.style.colour_maps import colour_table, colours_of
-from qovr_app.style.ticks import round_limits, tick_positions, tick_texts
+from qovr_app.style.ticks import round_limits, tick_positions
 from qovr_app.view3d.scene.axes import axes_box
 from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
 from qovr_app.view3d.scene.frame import frame_around
@@ -25,6 +25,7 @@ from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Document, Evaluation, Patch, configure
 from qovr_core.edits import set_formulation, set_points
 from qovr_core.layer import Layer
+from qovr_core.number_texts import tick_texts
 from qovr_core.presets import preset
 
 

@@ -1,22 +1,14 @@
-"""Numbers as text: what a field says, what may be typed, and blocks for spreadsheets."""
+"""Numbers as they are typed or pasted: with a point or a comma, one by one or in blocks of a spreadsheet."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
 
 from qovr_core import DocumentError
+from qovr_core.number_texts import MINUS, MORE_DIGITS
 
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
-_MINUS_SIGN = "\N{MINUS SIGN}"
-_MORE_DIGITS = "…"
-_MOST_DIGITS = 16
 _LONGEST_QUOTE = 24
-
-
-def number_text(value: float) -> str:
-    """Return the shortest text that reads back as the very same number."""
-    return repr(float(value)).removesuffix(".0").replace("e+", "e").replace("e-0", "e-")
 
 
 def typed_number(text: str) -> float | str | None:
@@ -24,33 +16,12 @@ def typed_number(text: str) -> float | str | None:
 
     An empty text gives None. What comes back is for a check of ``qovr_core.checks``, which refuses it in words.
     """
-    text = text.strip().replace(_MINUS_SIGN, "-")
+    text = text.strip().replace(MINUS, "-")
     if not text:
         return None
     if not _NUMBER.fullmatch(text):
-        return text if len(text) <= _LONGEST_QUOTE else text[:_LONGEST_QUOTE] + _MORE_DIGITS
+        return text if len(text) <= _LONGEST_QUOTE else text[:_LONGEST_QUOTE] + MORE_DIGITS
     return float(text.replace(",", "."))
-
-
-def fitted_text(value: float, fits: Callable[[str], bool]) -> str:
-    """Return a number's text with as many digits as fit; an ellipsis stands for those that do not.
-
-    Magnitude and sign are never cut off: where the whole part does not fit, the text gets an exponent.
-    """
-    exact = number_text(value)
-    if fits(exact):
-        return exact
-    for digits in range(_MOST_DIGITS, 0, -1):
-        mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
-        power = f"e{int(exponent)}" if exponent else ""
-        if fits(text := f"{mantissa}{_MORE_DIGITS}{power}"):
-            return text
-    return text
-
-
-def block_text(rows: Sequence[Sequence[float]]) -> str:
-    """Return rows of numbers as a spreadsheet takes them: tabs, line ends, full precision."""
-    return "".join("\t".join(map(number_text, row)) + "\n" for row in rows)
 
 
 def is_block(text: str) -> bool:

@@ -1,0 +1,114 @@
+"""Numbers as text: what is typed reads back, what is looked at has a true minus, ticks tell neighbours apart."""
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from qovr_core.number_texts import (
+    block_text,
+    fitted_text,
+    fixed_text,
+    number_text,
+    percent_text,
+    power_text,
+    rounded_text,
+    short_text,
+    significant_text,
+    tick_texts,
+)
+
+finite = st.floats(allow_nan=False, allow_infinity=False)
+
+
+@given(finite)
+def test_a_text_to_type_reads_back_as_the_very_same_number(value):
+    text = number_text(value)
+    assert float(text) == value
+    assert len(text) <= len(repr(value))
+    assert "+" not in text
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [(2.0, "2"), (-0.5, "-0.5"), (1e-7, "1e-7"), (1e22, "1e22"), (1e300, "1e300"), (5e-324, "5e-324")],
+)
+def test_exact_texts(value, text):
+    assert number_text(value) == text
+
+
+@pytest.mark.parametrize("value", [0.5, -0.1, 1e12, 1 / 3, 1e-7, 123456.789, -2.5e-12, 1e300, 5e-324])
+def test_fitted_text_keeps_sign_and_magnitude(value):
+    for room in range(8, 24):
+        text = fitted_text(value, lambda wanted, room=room: len(wanted) <= room)
+        assert float(text.replace("…", "")) == pytest.approx(value, rel=0.5)
+        assert ("…" in text) == (text != number_text(value))
+        assert len(text) <= room or text == fitted_text(value, lambda _wanted: False)
+
+
+@pytest.mark.parametrize(
+    ("value", "rounded", "significant", "fixed"),
+    [
+        (0.0, "0", "0", "0.000"),
+        (-0.123456, "−0.1235", "−0.1235", "−0.123"),
+        (123456.0, "123500", "1.235e5", "123456.000"),
+        (-2.5e-7, "−2.5e−7", "−2.5e−7", "−0.000"),
+        (9999.96, "10000", "1e4", "9999.960"),
+    ],
+)
+def test_digits_and_decimals(value, rounded, significant, fixed):
+    assert (rounded_text(value, 4), significant_text(value, 4), fixed_text(value, 3)) == (rounded, significant, fixed)
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (0.0, "0"),
+        (0.0634, "0.063"),
+        (2.42e-5, "2e−5"),
+        (4.44e-16, "4e−16"),
+        (6.0, "6"),
+        (9.96, "10"),
+        (106, "106"),
+        (99999, "99999"),
+        (1e5, "1e5"),
+        (2e7, "2e7"),
+    ],
+)
+def test_short_texts(value, text):
+    assert short_text(value) == text
+
+
+@pytest.mark.parametrize(
+    ("part", "text"), [(0.1, "10 %"), (0.01, "1 %"), (0.12345, "12.3 %"), (1, "100 %"), (0, "0 %")]
+)
+def test_percent(part, text):
+    assert percent_text(part) == text
+
+
+def test_powers_and_blocks():
+    assert power_text(-12) == "×10⁻¹²"
+    assert block_text([[1.0, -0.5], [1 / 3, 2e20]]) == "1\t-0.5\n0.3333333333333333\t2e20\n"
+
+
+@given(st.integers(-10_000, 10_000), st.sampled_from([1, 2, 5]), st.integers(-7, 12), st.integers(2, 12))
+def test_ticks_tell_neighbours_apart(first, factor, power, count):
+    step = factor * 10.0**power
+    positions = [(first + k) * step for k in range(count)]
+    texts = tick_texts(positions)
+    assert len(set(texts)) == count
+    shown = [float(text.replace("−", "-")) for text in texts]
+    assert shown == pytest.approx(positions, rel=1e-9, abs=1e-9 * step)
+
+
+@pytest.mark.parametrize(
+    ("positions", "texts"),
+    [
+        ([], []),
+        ([-0.0, 1.0], ["0", "1"]),
+        ([0.5], ["0.5"]),
+        ([1e16, 1e16], ["1e+16", "1e+16"]),
+        ([5412.78462, 5412.78464], ["5412.7846200", "5412.7846400"]),  # the step itself is rounded
+    ],
+)
+def test_ticks_in_special_places(positions, texts):
+    assert tick_texts(positions) == texts
