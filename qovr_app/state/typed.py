@@ -38,13 +38,9 @@ def typed_block(text: str) -> list[list[float]]:
     """
     rows: list[list[float]] = []
     for r, line in enumerate(text.strip("\r\n").splitlines(), start=1):
-        cells = []
-        for c, text_in_cell in enumerate(line.split("\t"), start=1):
-            cell = typed_number(text_in_cell)
-            if not isinstance(cell, float):
-                found = "empty" if cell is None else repr(cell)
-                raise DocumentError(f"row {r}, column {c} of what is pasted", found, "a number, as 0.35 or 0,35")
-            cells.append(cell)
+        cells = [
+            _cell(cell, f"row {r}, column {c} of what is pasted") for c, cell in enumerate(line.split("\t"), start=1)
+        ]
         if rows and len(cells) != len(rows[0]):
             raise DocumentError(
                 f"row {r} of what is pasted", f"{len(cells)} cells long", f"{len(rows[0])} cells, as the rows above"
@@ -53,3 +49,11 @@ def typed_block(text: str) -> list[list[float]]:
     if not rows:
         raise DocumentError("what is pasted", "empty", "a block of numbers")
     return rows
+
+
+def _cell(text: str, place: str) -> float:
+    value = typed_number(text)
+    if not isinstance(value, float):
+        found = "empty" if value is None else repr(value)
+        raise DocumentError(place, found, "a number, as 0.35 or 0,35")
+    return value
