@@ -14,7 +14,7 @@ from .test_view import finish
 
 pytest.importorskip("PySide6")
 
-SIZE = (1440, 900)
+SIZE = (1280, 720)
 FRAMES = 500
 LONGEST = 30.0
 """Milliseconds that 99 of 100 frames take at most."""
