@@ -7,8 +7,8 @@ files, figures and the command line live in ``qovr_core.files``, ``qovr_core.fig
 >>> surface = configure(Document(net, formulation="interpolating", samples=(3, 3)))
 >>> surface.raw[0, 0], surface.raw[-1, -1]  # P_{1,1} and P_{3,3}: points are indexed [iu, iv]
 (array([1.  , 1.  , 0.25]), array([3.  , 3.  , 2.25]))
->>> surface.transformed[0, 0]  # moved and stretched by T onto the box of all control points
-array([0., 0., 0.])
+>>> surface.matrix[0].round(9)  # T, which stretches x from 1..3 onto the control points' 0..4
+array([ 2.,  0.,  0., -2.])
 """
 
 from qovr_core.construction import CurveNetwork, build_patch, curve_network

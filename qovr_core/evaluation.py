@@ -151,7 +151,7 @@ def configure(document: Document) -> Evaluation:
     >>> evaluation = qovr_core.configure(document)
     >>> evaluation.raw.shape, evaluation.transformed.shape, evaluation.matrix.shape
     ((101, 101, 3), (101, 101, 3), (4, 4))
-    >>> evaluation.patch.points([0.5], [0.5]).tolist()
+    >>> evaluation.patch.points([0.5], [0.5]).round(9).tolist()
     [[[2.0, 2.0, 4.0]]]
     """
     evaluation = Evaluation(document)
