@@ -17,8 +17,9 @@ from qovr_core.errors import DocumentError, EvaluationError, FileError, QovrErro
 from qovr_core.evaluation import Evaluation, configure
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.differential import Curvature, ParametricSurface
+from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import Knots
-from qovr_core.geometry.patch import Edge, Patch
+from qovr_core.geometry.patch import Patch
 from qovr_core.layer import Layer
 
 __all__ = [

@@ -13,7 +13,6 @@ from qovr_core.errors import EvaluationError
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, knot_array
 from qovr_core.geometry.network import network_curves
 from qovr_core.geometry.patch import Patch
-from qovr_core.geometry.weights import CURVE_DEGREE
 
 
 @dataclass(frozen=True)
@@ -54,13 +53,12 @@ def build_patch(document: Document) -> Patch:
 
 
 def _degree(document: Document, direction: Direction) -> int:
-    """Return the degree along the curves of a direction: 4 where s_ip = u_ip on every one that counts, else 6."""
-    counting = (
-        knots
+    """Return the degree along the curves of a direction: the largest of those that have an effect."""
+    return max(
+        knots.degree
         for curve, knots in enumerate(knots_of(document, direction))
         if document.formulation.is_active(direction, curve)
     )
-    return 4 if all(knots.is_quartic for knots in counting) else CURVE_DEGREE
 
 
 def _overflow_text(document: Document) -> str:

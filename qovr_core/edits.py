@@ -5,19 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Direction, KnotPlace, Knots, knot_array
-
-CURVE_LETTERS = {direction: direction.letter for direction in Direction}
-PARAMETERS = {direction: direction.parameter for direction in Direction}
-"""The letters of the curves C_i(u) and K_j(v), and of their parameters."""
 
 
 class Zone(StrEnum):
@@ -45,8 +42,14 @@ Place = KnotPlace | CoordinatePlace
 
 
 def knots_of(document: Document, direction: Direction) -> tuple[Knots, ...]:
-    """Return the knots of the five curves of a direction."""
-    return document.row_knots if direction is Direction.ROWS else document.column_knots
+    """Return the knots of the curves of a direction."""
+    curves: tuple[Knots, ...] = getattr(document, direction.value)
+    return curves
+
+
+def zone_of(place: Place) -> Zone:
+    """Return the part of the document in which a place lies."""
+    return Zone.CONTROL_POINTS if isinstance(place, CoordinatePlace) else Zone(place.direction.value)
 
 
 def set_point(document: Document, i: int, j: int, point: npt.ArrayLike) -> Document:
@@ -62,15 +65,15 @@ def set_points(document: Document, control_points: npt.ArrayLike) -> Document:
 
 
 def set_knots(document: Document, direction: Direction, knots: tuple[Knots, ...]) -> Document:
-    """Return the document with the knots of all five curves of a direction replaced."""
-    if direction is Direction.ROWS:
-        return replace(document, row_knots=knots)
-    return replace(document, column_knots=knots)
+    """Return the document with the knots of all curves of a direction replaced."""
+    family: dict[str, Any] = {direction.value: knots}
+    return replace(document, **family)
 
 
 def set_all_knots(document: Document, knots: Knots) -> Document:
-    """Return the document with the same knots on all ten curves."""
-    return replace(document, row_knots=(knots,) * NET_SIZE, column_knots=(knots,) * NET_SIZE)
+    """Return the document with the same knots on all curves."""
+    rows, columns = ((knots,) * len(knots_of(document, direction)) for direction in Direction)
+    return replace(document, row_knots=rows, column_knots=columns)
 
 
 def set_knot(
@@ -83,7 +86,7 @@ def set_knot(
     direction : which family of curves
     name : ``r``, ``s``, ``u`` or ``t``; ``u`` stands for v_ip on column curves
     value : strictly between 0 and 1
-    curve : 0 to 4; None sets it on all five curves of the direction
+    curve : 0 to 4; None sets it on all curves of the direction
     """
     curves = list(knots_of(document, direction))
     for k in range(len(curves)) if curve is None else (curve,):
@@ -134,26 +137,25 @@ def set_values(document: Document, values: Mapping[Place, float]) -> Document:
     return replace(document, control_points=net, row_knots=rows, column_knots=columns)
 
 
-def linked_places(place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
+def linked_places(document: Document, place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
     """Return the places that change together with one knot.
 
     Parameters
     ----------
-    curves : whether all five curves of a direction share their knots
-    directions : whether both directions share their knots, curve by curve
+    curves : whether all curves of a direction share their knots
+    directions : whether both directions share their knots, curve by curve, where both have that curve
     """
-    numbers = range(NET_SIZE) if curves else (place.curve,)
-    families = tuple(Direction) if directions else (place.direction,)
-    return tuple(KnotPlace(family, number, place.name) for family in families for number in numbers)
+    return tuple(
+        KnotPlace(family, number, place.name)
+        for family in (Direction if directions else (place.direction,))
+        for number in range(len(knots_of(document, family)))
+        if curves or number == place.curve
+    )
 
 
 def copy_zone(source: Document, target: Document, zone: Zone) -> Document:
     """Return ``target`` with one zone as it stands in ``source``."""
-    if zone is Zone.CONTROL_POINTS:
-        return replace(target, control_points=source.control_points)
-    if zone is Zone.ROW_KNOTS:
-        return replace(target, row_knots=source.row_knots)
-    return replace(target, column_knots=source.column_knots)
+    return replace(target, **{zone.value: getattr(source, zone.value)})
 
 
 def rebase(draft: Document, before: Document, after: Document) -> Document:

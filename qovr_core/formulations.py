@@ -93,7 +93,7 @@ class Formulation(Record):
 
     def active_names(self, direction: Direction) -> list[str]:
         """Return the names of the active curves of a direction, as ``C_4``; none where every curve is active."""
-        return [f"{direction.letter}_{curve}" for curve in self.active_curves(direction) or ()]
+        return [direction.curve_name(curve) for curve in self.active_curves(direction) or ()]
 
     def knot_slope(self, net: Array, row_knots: Array, column_knots: Array, place: KnotPlace) -> Array:
         """Return the derivative of the raw surface with respect to one knot, as patch coefficients (7, 7, 3).

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import fields, is_dataclass
 from operator import attrgetter
-from types import TracebackType
 from typing import Any, ClassVar, Generic, TypeVar
 
 R = TypeVar("R")
@@ -92,9 +91,7 @@ class Registration(Generic[R]):
     def __enter__(self) -> R:
         return self._record
 
-    def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self._table.remove(self._record)
 
 

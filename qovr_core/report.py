@@ -8,7 +8,7 @@ from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.evaluation import Evaluation
 from qovr_core.formulations import FORMULATIONS
-from qovr_core.geometry.knots import Direction
+from qovr_core.geometry.knots import Direction, KnotPlace
 
 
 def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
@@ -35,8 +35,12 @@ def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
 
 def not_monotone(document: Document) -> list[str]:
     """Return the places of the s knots whose transformation s(u) folds back, as ``row_knots[2].s``."""
-    zones = (("row_knots", document.row_knots), ("column_knots", document.column_knots))
-    return [f"{zone}[{k}].s" for zone, curves in zones for k, knots in enumerate(curves) if not knots.is_monotone]
+    return [
+        str(KnotPlace(direction, curve, "s"))
+        for direction in Direction
+        for curve, knots in enumerate(knots_of(document, direction))
+        if not knots.is_monotone
+    ]
 
 
 def facts_text(facts: dict[str, Any]) -> str:

@@ -5,16 +5,17 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
-from qovr_app.laboratory.panel import Focus
 from qovr_app.laboratory.wording import value_text
-from qovr_app.state.names import AXES, knot_letter, label
+from qovr_app.state.editor_state import Focus
+from qovr_app.state.names import AXES, label
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, symbol
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
-from qovr_core.edits import CURVE_LETTERS, KnotPlace, value_at
+from qovr_core.edits import value_at
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount
 
 _STEP = 0.01
@@ -169,6 +170,6 @@ def _title(focus: Focus) -> str:
     if focus is None:
         return ""
     if isinstance(focus, KnotPlace):
-        knot = symbol_html(knot_letter(focus), "ip")
-        return f"{knot} of {symbol_html(CURVE_LETTERS[focus.direction], str(focus.curve))} alone changes"
+        knot = symbol_html(focus.letter, "ip")
+        return f"{knot} of {symbol_html(focus.direction.letter, str(focus.curve))} alone changes"
     return "{} moves along".format(symbol_html("P", "{},{}".format(*focus)))

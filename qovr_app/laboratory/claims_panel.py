@@ -12,9 +12,11 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, Q
 
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
 from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.requests import DocumentAsked
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
-from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import CompactButton
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.work.job import Job
@@ -36,8 +38,8 @@ class ClaimsPanel(LaboratoryPanel):
     the old ones are shown as old.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
+        super().__init__(store, worker, parent)
         self._document: Document | None = None
         self._found = 0
         self._row: list[Finding] = []
@@ -68,22 +70,23 @@ class ClaimsPanel(LaboratoryPanel):
         """Whether every verdict shown is the document's."""
         return self._found == self._all
 
-    def use_worker(self, worker: Worker) -> None:
-        self._worker = worker
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        if before is None or before.display.theme != after.display.theme:
+            self._table.viewport().update()
+        document = after.shown_document
+        if document is not None and after.differs(before, "shown_document"):
+            self._table.show_formulation(document.formulation)
+            self._look_again(document)
 
-    def show_document(self, document: Document) -> None:
+    def _look_again(self, document: Document) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
-        self._table.show_formulation(document.formulation)
         document = replace(document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
         if document == self._document:
             return
         self._document, self._found = document, 0
         self._table.set_old()
-        self._show_state("The document has changed: verdicts in grey are of the one before.")
+        self._show_progress("The document has changed: verdicts in grey are of the one before.")
         self._work.restart()
-
-    def show_theme(self, _theme: Theme) -> None:
-        self._table.viewport().update()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
@@ -98,11 +101,11 @@ class ClaimsPanel(LaboratoryPanel):
 
     def _begin(self) -> Job:
         self._found, self._row = 0, []
-        return self._worker.run(
+        return self.worker.run(
             verify,
             self._document,
             on_progress=self._on_found,
-            on_failed=lambda error: self._show_state(f"No verdicts: {error}."),
+            on_failed=lambda error: self._show_progress(f"No verdicts: {error}."),
         )
 
     def _on_found(self, finding: Finding) -> None:
@@ -115,11 +118,11 @@ class ClaimsPanel(LaboratoryPanel):
         for finding in self._row:
             self._table.show_finding(finding)
         self._row = []
-        self._show_state(f"Deciding: {self._found} of {self._all}")
+        self._show_progress(f"Deciding: {self._found} of {self._all}")
         if self.is_current:
-            self._show_state("Every claim is decided")
+            self._show_progress("Every claim is decided")
 
-    def _show_state(self, text: str) -> None:
+    def _show_progress(self, text: str) -> None:
         self._state.setText(text)
         self._state.setToolTip(text)
         self._progress.setValue(self._found)
@@ -138,12 +141,12 @@ class ClaimsPanel(LaboratoryPanel):
             if not button.isHidden():
                 button.click()
                 return
-        self.told.emit("There is no counterexample: the claim holds on everything that was tried.", False)
+        self.tell("There is no counterexample: the claim holds on everything that was tried.")
 
     def _open(self, kind: str) -> None:
         finding = self._table.current_finding()
         title = f"{kind.capitalize()} to {finding.claim.name}, {finding.formulation}"
-        self.document_requested.emit(getattr(finding, kind), title)
+        self.store.dispatch(DocumentAsked(getattr(finding, kind), title))
 
     def _button(self, kind: str, tip: str) -> CompactButton:
         button = CompactButton(f"Open {kind}", f"laboratory.claims.{kind}", tip, self)

@@ -2,35 +2,24 @@
 
 from __future__ import annotations
 
-from PySide6.QtGui import QAction, QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
-from qovr_app.laboratory.panel import Focus, LaboratoryPanel
-from qovr_app.state.display import Placement
+from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import NetIndex
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
-from qovr_app.style.theme import Theme
-from qovr_app.view3d.scene.comparison import Rival
 from qovr_app.widgets.parts import symbol
 from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
-from qovr_core import Document, ParametricSurface, QovrError
-from qovr_core.laboratory.comparison import (
-    DEFAULT_POINT,
-    Comparison,
-    ComparisonInput,
-    Measures,
-    compare,
-    compared_names,
-)
+from qovr_core import Document, QovrError
+from qovr_core.laboratory.comparison import Comparison, ComparisonInput, Measures, compare, compared_names
 from qovr_core.laboratory.comparison_report import copied_text
-from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
-
-Seen = tuple[ComparisonSurface, Placement, tuple[int, int], float] | None
-"""What the view shows besides QOVR: a surface, where, the weighted point and its weight."""
 
 
 class ComparisonPanel(LaboratoryPanel):
@@ -40,20 +29,15 @@ class ComparisonPanel(LaboratoryPanel):
     shown pale. The other surface is in the view while the panel is shown.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self._document: Document | None = None
-        self._point = DEFAULT_POINT
+    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
+        super().__init__(store, worker, parent)
+        self._wanted: tuple[Document, NetIndex, float] | None = None
         self._input: ComparisonInput | None = None
         self._measures: dict[str, Measures] = {}
-        self._seen: Seen = None
         self._work = QuietJob(self._begin, self)
-        self._bar = ComparisonBar(self)
-        self._bar.view_changed.connect(self._show_in_view)
-        self._bar.weight_changed.connect(self._on_weight_changed)
+        self._bar = ComparisonBar(store.dispatch, self)
         self._bar.copy_requested.connect(self._copy)
-        self._bar.refused.connect(lambda reason: self.told.emit(reason, True))
-        self._bar.show_point(*self._point)
+        self._bar.refused.connect(self.refuse)
         self._bar.set_copyable(False)
         self._state = symbol("", quiet=True, parent=self)
         self._state.setObjectName("laboratory.comparison.state")
@@ -66,64 +50,27 @@ class ComparisonPanel(LaboratoryPanel):
         """Whether every measure shown is the document's."""
         return len(self._measures) == len(compared_names())
 
-    def use_commands(self, commands: dict[str, QAction]) -> None:
-        self._bar.distances.use(commands["colour_by_distance"])
-
-    def use_worker(self, worker: Worker) -> None:
-        self._worker = worker
-
-    def show_document(self, document: Document) -> None:
-        """Measure again when nothing has changed for a while."""
-        if document != self._document:
-            self._document = document
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        if before is None or before.display.theme != after.display.theme:
+            self._table.refresh_colours()
+        self._bar.show_state(after)
+        self._table.show_compared(after.shown_comparison.surface if after.shown_comparison else None)
+        if after.shown_document is None:
+            return
+        wanted = (after.shown_document, after.measured_point, after.comparison.weight)
+        if wanted != self._wanted:
+            self._wanted = wanted
             self._restart()
-
-    def show_focus(self, focus: Focus) -> None:
-        """Move the point that has come into focus; a knot in focus changes nothing."""
-        if isinstance(focus, tuple) and focus != self._point:
-            self._point = focus
-            self._bar.show_point(*focus)
-            self._show_in_view()
-            self._restart()
-
-    def show_theme(self, _theme: Theme) -> None:
-        self._table.refresh_colours()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._show_in_view()
-        if self._document is not None and not self.is_current:
+        if self._wanted is not None and not self.is_current:
             self._work.restart()
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)
         if not event.spontaneous():  # a minimised window comes back as it was
             self._work.stop()
-            self._bar.distances.restore()
-            self._see(None)
-
-    # In the view
-
-    def _show_in_view(self) -> None:
-        placement = self._bar.placement
-        if placement is None:
-            self._see(None)
-        else:
-            self._see((self._bar.surface, placement, self._point, self._bar.weight))
-
-    def _see(self, wanted: Seen) -> None:
-        """Ask for what the view is to show besides QOVR, if that is something else."""
-        if wanted == self._seen:
-            return
-        self._seen = wanted
-        self._table.show_compared(wanted and wanted[0].name)
-        self.rival_requested.emit(wanted and _rival(*wanted))
-
-    # Measuring
-
-    def _on_weight_changed(self) -> None:
-        self._show_in_view()
-        self._restart()
 
     def _restart(self) -> None:
         self._measures = {}
@@ -133,14 +80,15 @@ class ComparisonPanel(LaboratoryPanel):
 
     def _begin(self) -> Job | None:
         self._measures = {}
+        if self._wanted is None:
+            return None
         try:
-            self._input = ComparisonInput(self._document, self._point, self._bar.weight)
+            self._input = ComparisonInput(*self._wanted)
         except QovrError as error:
             self._refuse(error)
             return None
         self._state.setText(f"{_motion_html(self._input)} Measuring …")
-        values = (self._input.document, self._input.point, self._input.weight)
-        return self._worker.run(compare, *values, on_progress=self._on_found, on_failed=self._refuse)
+        return self.worker.run(compare, *self._wanted, on_progress=self._on_found, on_failed=self._refuse)
 
     def _on_found(self, name: str, measures: Measures) -> None:
         self._measures[name] = measures
@@ -155,7 +103,7 @@ class ComparisonPanel(LaboratoryPanel):
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(copied_text(Comparison(self._input, self._measures)))
-        self.told.emit("Copied the comparison", False)
+        self.tell("Copied the comparison")
 
     def _arrange(self) -> None:
         layout = QVBoxLayout(self)
@@ -164,13 +112,6 @@ class ComparisonPanel(LaboratoryPanel):
         layout.addWidget(self._bar)
         layout.addWidget(self._state)
         layout.addWidget(self._table, 1)
-
-
-def _rival(surface: ComparisonSurface, placement: Placement, point: tuple[int, int], weight: float) -> Rival:
-    def surface_of(document: Document) -> ParametricSurface:
-        return surface.build(document.control_points, point, weight)
-
-    return Rival(surface.title, surface_of, placement)
 
 
 def _motion_html(of: ComparisonInput) -> str:

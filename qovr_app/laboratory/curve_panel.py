@@ -8,16 +8,21 @@ from qovr_app.laboratory.curve_drawings import CurveDrawing, Drawing
 from qovr_app.laboratory.curve_functions import WeightsPlot
 from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
-from qovr_app.laboratory.panel import Focus, LaboratoryPanel
+from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.plots import Captioned
+from qovr_app.state.editor_state import EditorState, Focus
+from qovr_app.state.intents import ValuesEdited
+from qovr_app.state.requests import DrawingAsked
+from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import coloured, symbol_html
-from qovr_app.style.theme import Theme
+from qovr_app.style.theme import theme_of
 from qovr_app.widgets.parts import CompactButton
+from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.document import NET_SIZE
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace
+from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View
 from qovr_core.number_texts import number_text
@@ -45,14 +50,14 @@ _LEGENDS = ({}, {"decimals": 2}, {"decimals": 2, "named": False})
 class CurvePanel(LaboratoryPanel):
     """Shows one of the ten curves: that of the knot in focus, or a chosen one."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
+        super().__init__(store, worker, parent)
         self._document: Document | None = None
         self._curve: OneCurve | None = None
         self._choice = QComboBox(self, objectName="laboratory.curve.choice", accessibleName="Curve")
         self._choice.setToolTip("Which of the ten curves; it follows the knot whose field has the keyboard")
         for direction, k in _CURVES:
-            self._choice.addItem(f"{CURVE_LETTERS[direction]}{_SUBSCRIPTS[k]}({PARAMETERS[direction]})")
+            self._choice.addItem(f"{direction.letter}{_SUBSCRIPTS[k]}({direction.parameter})")
         self._choice.setCurrentIndex(NET_SIZE - 1)  # the one row that the published surface uses
         self._view = QComboBox(self, objectName="laboratory.curve.plane", accessibleName="Plane")
         self._view.setToolTip("The plane in which the curve is drawn; the best one runs through its points")
@@ -84,11 +89,19 @@ class CurvePanel(LaboratoryPanel):
         """The curve that is shown."""
         return self._curve
 
-    def show_document(self, document: Document) -> None:
-        self._document = document
-        self._show_curve()
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        if before is None or before.display.theme != after.display.theme:
+            for plot in self._plots:
+                plot.show_theme(theme_of(after.display.theme))
+            self._show_captions(None)
+        if before is None or before.focus != after.focus:
+            self._follow(after.focus)
+        if after.differs(before, "shown_document"):
+            self._document = after.shown_document
+            self._show_curve()
 
-    def show_focus(self, focus: Focus) -> None:
+    def _follow(self, focus: Focus) -> None:
+        """Choose the curve of the knot in focus, or the curve of the same direction through the point in focus."""
         if focus is None:
             return
         direction, k = _CURVES[self._choice.currentIndex()]
@@ -97,11 +110,6 @@ class CurvePanel(LaboratoryPanel):
         else:
             k = focus[0] if direction is Direction.ROWS else focus[1]
         self._choice.setCurrentIndex(_CURVES.index((direction, k)))
-
-    def show_theme(self, theme: Theme) -> None:
-        for plot in self._plots:
-            plot.show_theme(theme)
-        self._show_captions(None)
 
     @property
     def _chosen_view(self) -> View:
@@ -162,7 +170,7 @@ class CurvePanel(LaboratoryPanel):
         try:
             curve = curve_of(self._document, *_CURVES[self._choice.currentIndex()])
         except QovrError as error:
-            self.told.emit(f"{error}.", True)
+            self.tell(f"{error}.", is_refusal=True)
             return
         self._curve = curve
         self._geometry.show_curve(curve, self._chosen_view)
@@ -173,7 +181,8 @@ class CurvePanel(LaboratoryPanel):
 
     def _on_knots_moved(self, wanted: dict[str, float], gesture: int) -> None:
         direction, k = self._curve.direction, self._curve.number
-        self.values_edited.emit({KnotPlace(direction, k, name): value for name, value in wanted.items()}, gesture)
+        values = {KnotPlace(direction, k, name): value for name, value in wanted.items()}
+        self.store.dispatch(ValuesEdited(values, gesture))
 
     # What stands over the plots
 
@@ -204,8 +213,8 @@ class CurvePanel(LaboratoryPanel):
     def _what_it_is(self) -> tuple[str, ...]:
         """Return what stands over the curve, at length and shorter."""
         curve = self._curve
-        name = f"<b>{symbol_html(CURVE_LETTERS[curve.direction], str(curve.number))}</b>(<i>{curve.parameter}</i>)"
-        short = f"{name}, degree {4 if curve.knots.is_quartic else 6}"
+        name = f"<b>{symbol_html(curve.direction.letter, str(curve.number))}</b>(<i>{curve.parameter}</i>)"
+        short = f"{name}, degree {curve.knots.degree}"
         formulation = self._document.formulation
         if not formulation.is_active(curve.direction, curve.number):
             return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"
@@ -222,4 +231,4 @@ class CurvePanel(LaboratoryPanel):
         if self._curve is not None:
             kind, document = Drawing(self._drawing.currentText()), self._document
             drawing = CurveDrawing(kind, self._curve, document, self._chosen_view, self._equal.isChecked())
-            self.figure_requested.emit(drawing.name, drawing.write)
+            self.store.dispatch(DrawingAsked(drawing.name, drawing.write))

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.laboratory.curve_functions import FunctionPlot
 from qovr_app.state.gestures import next_gesture
 from qovr_app.style.theme import Theme
-from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
 
 _HANDLE = 12
 _STEPS = 1000
@@ -41,7 +41,11 @@ class TransformationsPlot(FunctionPlot):
     def __init__(self, parent: QWidget | None = None) -> None:
         spoken = "The transformations r, s and t of the curve's parameter, with its four knots as handles"
         super().__init__(
-            "laboratory.curve.transformations", spoken, [f"<i>{letter}</i>" for letter in "rst"], [1, 2, 3], parent
+            "laboratory.curve.transformations",
+            spoken,
+            [f"<i>{letter}</i>" for letter in PARABOLA_LETTERS],
+            [1, 2, 3],
+            parent,
         )
         self._curve: OneCurve | None = None
         self._gesture = 0

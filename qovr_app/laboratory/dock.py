@@ -2,110 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from importlib import import_module
-from typing import Any
-
-from PySide6.QtCore import QEvent, QSignalBlocker, QSize, QTimer, Signal
-from PySide6.QtGui import QAction, QShowEvent
+from PySide6.QtCore import QSignalBlocker, QSize, QTimer
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QToolButton, QVBoxLayout, QWidget
 
-from qovr_app.laboratory.panel import Focus, LaboratoryPanel
-from qovr_app.style.palette import theme_in_force
+from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.laboratory.panels import PANELS, PanelRecord
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import PanelShown
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
-from qovr_app.window.actions import Command
 from qovr_app.work.worker import Worker
-from qovr_core import Document
 
 _FIRST_SIZE = QSize(640, 330)
 _LEAST_SIZE = QSize(320, 160)
 """What leaves the 3D view its own least height in a window of 1280 x 720."""
 
 
-@dataclass(frozen=True)
-class PanelEntry:
-    """One panel.
+class LaboratoryDock(QWidget):
+    """Tabs over the panel that is shown; hidden while none is.
 
-    Parameters
-    ----------
-    name : the panel is called ``laboratory.NAME``, its command ``laboratory_NAME``
-    title : what the menu says, and the tab without the mark of its access key
-    tip : one sentence on what it shows
-    module, kind : where its class is, below ``qovr_app.laboratory``; imported when the panel is first shown
+    Only the panel that is seen follows the state; another one is brought up to date when it is seen again.
     """
 
-    name: str
-    title: str
-    tip: str
-    module: str
-    kind: str
-
-    def make(self) -> LaboratoryPanel:
-        """Return a new panel."""
-        return getattr(import_module(f"qovr_app.laboratory.{self.module}"), self.kind)()
-
-
-PANELS = (
-    PanelEntry("curve", "One &curve", "One curve of the surface with all its parts", "curve_panel", "CurvePanel"),
-    PanelEntry(
-        "influence",
-        "&Influence",
-        "What one point or knot moves, and how far",
-        "influence_panel",
-        "InfluencePanel",
-    ),
-    PanelEntry(
-        "comparison",
-        "Co&mparison",
-        "Bezier, B-spline, NURBS and Catmull-Rom of the same net: in the view, and measured",
-        "comparison_panel",
-        "ComparisonPanel",
-    ),
-    PanelEntry(
-        "claims", "C&laims", "What the paper says of its surfaces, and what is so", "claims_panel", "ClaimsPanel"
-    ),
-)
-"""All panels, in the order of their tabs."""
-
-_NEVER = object()
-_FIRST_NUMBER = 6
-"""Alt and the numbers below go to the zones and the view."""
-
-
-class LaboratoryPlace(QWidget):
-    """Tabs over the panel that is shown.
-
-    Hidden until a panel is asked for. Panels are told the latest theme, focus and document, while they are seen.
-
-    Signals
-    -------
-    panel_changed : the name of the panel that is shown now; empty when the place is closed
-    document_requested, values_edited, figure_requested, told, rival_requested : those of all panels
-    """
-
-    panel_changed = Signal(str)
-    document_requested = Signal(object, str)
-    values_edited = Signal(object, int)
-    figure_requested = Signal(str, object)
-    told = Signal(str, bool)
-    rival_requested = Signal(object)
-
-    def __init__(self, worker: Worker, parent: QWidget | None = None) -> None:
+    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._worker = worker
-        self._theme = theme_in_force()
+        self._store, self._worker = store, worker
+        self._records = tuple(PANELS.values())
         self.setObjectName("laboratory")
         self.setAccessibleName("Laboratory")
         self.setAutoFillBackground(True)
         self.setVisible(False)
-        self.panels: dict[str, LaboratoryPanel] = {}
-        self._commands: dict[str, QAction] = {}
-        self._document: Document | None = None
-        self._focus: Focus = None
-        self._last_told: dict[str, dict[str, Any]] = {}
+        self._panels: dict[str, LaboratoryPanel] = {}
+        self._shown: dict[str, EditorState] = {}
         self._due = QTimer(self, singleShot=True, interval=0)
-        self._due.timeout.connect(self._tell_panel)
+        self._due.timeout.connect(self._show_panel)
         self._tabs = self._make_tabs()
         self._stale = QLabel("older than what is set", self, objectName="laboratory.stale")
         self._stale.setToolTip("All panels are of the surface configured last.")
@@ -119,77 +50,43 @@ class LaboratoryPlace(QWidget):
     def minimumSizeHint(self) -> QSize:
         return super().minimumSizeHint().expandedTo(_LEAST_SIZE)
 
-    @property
-    def shown(self) -> str:
-        """The name of the panel that is shown; empty where the place is closed."""
-        return "" if self.isHidden() else PANELS[self._tabs.currentIndex()].name
-
-    def open(self, name: str) -> None:
-        """Show a panel, made now if it has not been shown before."""
-        number = [entry.name for entry in PANELS].index(name)
-        panel = self.panels.get(name) or self._make_panel(PANELS[number])
-        with QSignalBlocker(self._tabs):
-            self._tabs.setCurrentIndex(number)
-        self._stack.setCurrentWidget(panel)
-        self.setVisible(True)
-        self._due.start()
-        self.panel_changed.emit(name)
-
-    def close_panels(self) -> None:
-        """Give the room back to the view."""
-        self.setVisible(False)
-        self.panel_changed.emit("")
-
-    def set_stale(self, is_stale: bool) -> None:
-        """Say whether the panels show a surface that is not the document's."""
-        self._stale.setVisible(is_stale)
-
-    def use_commands(self, commands: dict[str, QAction]) -> None:
-        """Take the window's commands, for panels that offer one of them."""
-        self._commands = commands
-
-    def show_document(self, document: Document) -> None:
-        """Take the document of the surface in the view; told at once, so that both reach the screen in one frame."""
-        self._document = document
-        self._tell_panel()
-
-    def show_focus(self, focus: Focus) -> None:
-        """Take the knot or point in focus."""
-        self._focus = focus
-        self._tell_panel()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange and self._theme is not theme_in_force():
-            self._theme = theme_in_force()
-            self._due.start()
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        """Show the panel that the state names, or none, and the state in it."""
+        self._stale.setVisible(after.is_stale)
+        if after.differs(before, "panel"):
+            self._open(after.panel)
+        self._show_panel()
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
         self._due.start()
 
-    def _tell_panel(self) -> None:
-        """Tell the panel that is seen what it has not been told yet."""
-        panel = self.panels.get(self.shown)
-        if panel is None or not panel.isVisible():
-            return
-        last = self._last_told.setdefault(self.shown, {})
-        news = {"theme": self._theme, "focus": self._focus, "document": self._document}
-        for subject, fact in news.items():
-            if fact is not last.get(subject, _NEVER) and not (subject == "document" and fact is None):
-                last[subject] = fact
-                getattr(panel, f"show_{subject}")(fact)
+    def _open(self, name: str) -> None:
+        """Bring a panel to the front, made now if it has not been shown before; give the room back without a name."""
+        if name:
+            number = [record.name for record in self._records].index(name)
+            if name not in self._panels:
+                self._panels[name] = self._make_panel(self._records[number])
+            with QSignalBlocker(self._tabs):
+                self._tabs.setCurrentIndex(number)
+            self._stack.setCurrentWidget(self._panels[name])
+        self.setVisible(bool(name))
 
-    def _make_panel(self, entry: PanelEntry) -> LaboratoryPanel:
-        panel = entry.make()
-        panel.use_commands(self._commands)
-        panel.use_worker(self._worker)
-        panel.setObjectName(f"laboratory.{entry.name}")
-        panel.setAccessibleName(entry.title.replace("&", ""))
-        for signal in ("document_requested", "values_edited", "figure_requested", "told", "rival_requested"):
-            getattr(panel, signal).connect(getattr(self, signal))
+    def _show_panel(self) -> None:
+        """Show the panel that is seen the state that is shown now."""
+        state = self._store.shown
+        panel = self._panels.get(state.panel)
+        if panel is not None and panel.isVisible():
+            before = self._shown.get(state.panel)
+            if before is not state:
+                self._shown[state.panel] = state
+                panel.show_state(before, state)
+
+    def _make_panel(self, record: PanelRecord) -> LaboratoryPanel:
+        panel = record.make(self._store, self._worker)
+        panel.setObjectName(f"laboratory.{record.name}")
+        panel.setAccessibleName(record.title.replace("&", ""))
         self._stack.addWidget(panel)
-        self.panels[entry.name] = panel
         return panel
 
     def _make_tabs(self) -> QTabBar:
@@ -197,10 +94,10 @@ class LaboratoryPlace(QWidget):
         tabs.setDocumentMode(True)
         tabs.setDrawBase(False)
         tabs.setExpanding(False)
-        for number, entry in enumerate(PANELS):
-            tabs.addTab(entry.title.replace("&", ""))
-            tabs.setTabToolTip(number, entry.tip)
-        tabs.currentChanged.connect(lambda number: self.open(PANELS[number].name))
+        for number, record in enumerate(self._records):
+            tabs.addTab(record.title.replace("&", ""))
+            tabs.setTabToolTip(number, record.tip)
+        tabs.currentChanged.connect(lambda number: self._store.dispatch(PanelShown(self._records[number].name)))
         return tabs
 
     def _arrange(self) -> None:
@@ -208,7 +105,7 @@ class LaboratoryPlace(QWidget):
         close.setText("×")
         close.setToolTip("Close the laboratory")
         close.setAutoRaise(True)
-        close.clicked.connect(self.close_panels)
+        close.clicked.connect(lambda _checked: self._store.dispatch(PanelShown("")))
         head = QHBoxLayout()
         head.setContentsMargins(SPACE, SPACE // 2, SPACE, 0)
         head.addWidget(self._tabs, 1)
@@ -219,29 +116,3 @@ class LaboratoryPlace(QWidget):
         layout.setSpacing(0)
         layout.addLayout(head)
         layout.addWidget(self._stack, 1)
-
-
-def laboratory_commands(place: LaboratoryPlace) -> list[Command]:
-    """Return the commands of the menu Laboratory, each of which opens its panel or closes it."""
-
-    def switch(name: str) -> Callable[[bool], None]:
-        return lambda checked: place.open(name) if checked else place.close_panels()
-
-    return [
-        Command(
-            f"laboratory_{entry.name}",
-            entry.title,
-            switch(entry.name),
-            "&Laboratory",
-            f"Alt+{number}",
-            checked=False,
-            tip=entry.tip,
-        )
-        for number, entry in enumerate(PANELS, start=_FIRST_NUMBER)
-    ]
-
-
-def check_shown(actions: dict[str, QAction], name: str) -> None:
-    """Check the command of the panel that is shown, and no other."""
-    for entry in PANELS:
-        actions[f"laboratory_{entry.name}"].setChecked(entry.name == name)

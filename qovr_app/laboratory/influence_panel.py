@@ -13,13 +13,17 @@ from qovr_app.laboratory.change_bar import ChangeBar
 from qovr_app.laboratory.falloff_plot import FalloffPlot
 from qovr_app.laboratory.heat_map import HeatMap
 from qovr_app.laboratory.influence_numbers import FactTable, copied_text, facts
-from qovr_app.laboratory.panel import Focus, LaboratoryPanel
+from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.wording import value_text
+from qovr_app.state.editor_state import EditorState, Focus
 from qovr_app.state.names import ZONE_TITLES
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
-from qovr_app.style.theme import Theme
+from qovr_app.style.theme import theme_of
+from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.edits import KnotPlace, Zone
+from qovr_core.edits import Zone
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import Influence, KnotMove, influence
 from qovr_core.number_texts import percent_text
 
@@ -34,15 +38,15 @@ _WHAT_TO_DO = (
 class InfluencePanel(LaboratoryPanel):
     """Follows the point or knot in focus, and every edit."""
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
+        super().__init__(store, worker, parent)
         self._document: Document | None = None
         self._focus: Focus = None
         self._influence: Influence | None = None
         self._bar = ChangeBar(_NAME, self)
         self._bar.change_edited.connect(self._request)
         self._bar.copy_requested.connect(self._copy)
-        self._bar.refused.connect(lambda reason: self.told.emit(reason, True))
+        self._bar.refused.connect(self.refuse)
         self._words = QLabel(self, objectName=f"{_NAME}.words", wordWrap=True)
         self._words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._words.setMargin(4 * SPACE)
@@ -61,21 +65,15 @@ class InfluencePanel(LaboratoryPanel):
         self._due.timeout.connect(self._show)
         self._arrange()
 
-    def show_document(self, document: Document) -> None:
-        """Show the influence on the surface of a document."""
-        self._document = document
-        self._request()
-
-    def show_focus(self, focus: Focus) -> None:
-        """Show the influence of another knot or point."""
-        self._focus = focus
-        self._request()
-
-    def show_theme(self, theme: Theme) -> None:
-        """Draw in other colours."""
-        self._map.show_theme(theme)
-        self._plot.show_theme(theme)
-        self._request()
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        if before is None or before.display.theme != after.display.theme:
+            theme = theme_of(after.display.theme)
+            self._map.show_theme(theme)
+            self._plot.show_theme(theme)
+        self._document = after.shown_document
+        self._focus = after.focus
+        if before is None or before.focus != after.focus or after.differs(before, "shown_document"):
+            self._show()
 
     def _request(self) -> None:
         self._due.start()
@@ -105,7 +103,7 @@ class InfluencePanel(LaboratoryPanel):
 
     def _copy(self) -> None:
         QGuiApplication.clipboard().setText(copied_text(self._bar.what, self._document, self._influence))
-        self.told.emit(f"Copied the influence of {self._bar.what}", False)
+        self.tell(f"Copied the influence of {self._bar.what}")
 
     def _on_map_hovered(self, place: tuple[float, float] | None) -> None:
         if place is None or self._influence is None:

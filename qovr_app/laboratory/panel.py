@@ -1,53 +1,39 @@
-"""What every panel of the laboratory is told, and what it may ask for."""
+"""What every panel of the laboratory is: a widget that shows states and dispatches intents."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
-from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.style.theme import Theme
-from qovr_app.view3d.scene.scene import NetIndex
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import MessageOutdated, MessageShown
+from qovr_app.store import Store
 from qovr_app.work.worker import Worker
-from qovr_core import Document
-from qovr_core.edits import KnotPlace
-
-Focus = KnotPlace | NetIndex | None
-"""The knot whose field has the keyboard, or the control point (i, j) that is selected, whichever came last."""
 
 
 class LaboratoryPanel(QWidget):
     """A panel that shows something of the configured surface and changes nothing by itself.
 
-    While it is visible, its place tells it the theme, the focus and the latest document: once when it becomes visible,
-    and then whenever they change. A document comes at most once in a turn of the event loop, before the turn's frame.
-
-    Signals
-    -------
-    document_requested : a Document to open as a new one, and its title
-    values_edited : a dict of places and values that one intent changes, and its gesture, 0 for none
-    figure_requested : a name for the file, and a function of its path and FigureOptions that writes it
-    told : a sentence for the message line, and whether it is a refusal
-    rival_requested : a Rival for the view to show beside or over the surface, or None
+    While it is visible, its dock shows it the state: once when it becomes visible, and then whenever the state
+    changes, at most once in a turn of the event loop, before the turn's frame.
     """
 
-    document_requested = Signal(object, str)
-    values_edited = Signal(object, int)
-    figure_requested = Signal(str, object)
-    told = Signal(str, bool)
-    rival_requested = Signal(object)
+    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.store, self.worker = store, worker
 
-    def use_commands(self, commands: dict[str, QAction]) -> None:
-        """Take the window's commands by name, once; panels that need none of them do nothing."""
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        """Show a state.
 
-    def use_worker(self, worker: Worker) -> None:
-        """Take the window's worker, once; panels whose work takes no time do nothing."""
+        Parameters
+        ----------
+        before : the state that this panel has shown last; None the first time
+        after : the state to show
+        """
 
-    def show_document(self, document: Document) -> None:
-        """Show the document of the surface in the view; every panel does it in its own way."""
+    def tell(self, text: str, *, is_refusal: bool = False) -> None:
+        """Say one sentence in the message line."""
+        self.store.dispatch(MessageShown(text, is_refusal))
 
-    def show_focus(self, focus: Focus) -> None:
-        """Show what belongs to the knot or point in focus; panels that have nothing to do with it do nothing."""
-
-    def show_theme(self, theme: Theme) -> None:
-        """Draw in other colours; panels that take all of theirs from the palette do nothing."""
+    def refuse(self, reason: str) -> None:
+        """Say why what is typed is not taken; empty says that this is outdated."""
+        self.store.dispatch(MessageShown(reason, is_refusal=True) if reason else MessageOutdated(only_refusals=True))

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, CoordinatePlace, Direction, KnotPlace, Place, Zone
+from qovr_core.edits import CoordinatePlace, Place, Zone
+from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.laboratory.one_curve import PARABOLA_LETTERS
 
 AXES = "xyz"
 
@@ -13,40 +15,35 @@ ZONE_TITLES = {
 }
 
 
-def knot_letter(place: KnotPlace) -> str:
-    """Return the letter the paper writes: v for the knot of a column that is u on a row."""
-    return PARAMETERS[place.direction] if place.name == "u" else place.name
-
-
 def object_name(place: Place) -> str:
     """Return the object name of the field at a place."""
     if isinstance(place, CoordinatePlace):
         return f"{Zone.CONTROL_POINTS}.P_{place.i}_{place.j}.{AXES[place.axis]}"
-    return f"{place.direction}.{CURVE_LETTERS[place.direction]}_{place.curve}.{knot_letter(place)}"
+    return f"{place.direction}.{place.direction.curve_name(place.curve)}.{place.letter}"
 
 
 def label(place: Place) -> str:
     """Return a place in one line of plain text, as messages say it."""
     if isinstance(place, CoordinatePlace):
         return f"{AXES[place.axis].upper()} of P {place.i},{place.j}"
-    return f"{knot_letter(place)}_ip of {CURVE_LETTERS[place.direction]}_{place.curve}"
+    return f"{place.letter}_ip of {place.direction.curve_name(place.curve)}"
 
 
 def spoken(place: Place) -> str:
     """Return a place as a screen reader can say it."""
     if isinstance(place, CoordinatePlace):
         return f"{AXES[place.axis]} of control point P {place.i} {place.j}"
-    return f"{knot_letter(place)} internal knot of curve {CURVE_LETTERS[place.direction]} {place.curve}"
+    return f"{place.letter} internal knot of curve {place.direction.letter} {place.curve}"
 
 
 def knot_meaning(place: KnotPlace) -> str:
     """Return what a knot does, in one sentence."""
-    curve = f"{CURVE_LETTERS[place.direction]}_{place.curve}"
+    curve = place.direction.curve_name(place.curve)
     points = [_point(place, k) for k in range(5)]
-    parameter = PARAMETERS[place.direction]
+    parameter = place.direction.parameter
     if place.name == "u":
         return f"{parameter}_ip: the parameter {parameter} at which {curve} passes through {points[2]}."
-    first = "rst".index(place.name)
+    first = PARABOLA_LETTERS.index(place.name)
     through, middle = ", ".join(points[first : first + 3]), points[first + 1]
     nth = ("first", "middle", "last")[first]
     return f"{place.name}_ip: where on the {nth} parabola, which runs through {through}, the point {middle} lies."
@@ -66,12 +63,12 @@ def edit_text(places: list[Place]) -> str:
     for direction in Direction:
         family = [place for place in knots if place.direction is direction]
         curves = sorted({place.curve for place in family})
-        names = {knot_letter(place) for place in family}
+        names = {place.letter for place in family}
         if not family:
             continue
         if len(names) > 1:
             return "Set knots"
-        letter = CURVE_LETTERS[direction]
+        letter = direction.letter
         span = f"{letter}_{curves[0]}" + (f"..{letter}_{curves[-1]}" if len(curves) > 1 else "")
         parts.append(f"{names.pop()}_ip of {span}")
     return "Set " + " and ".join(parts)

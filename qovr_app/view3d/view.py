@@ -27,8 +27,8 @@ from qovr_app.view3d.scene.scene import NetIndex, Scene
 from qovr_app.view3d.scene.scenes import Stage
 from qovr_app.view3d.viewports import Panes
 from qovr_core import Document, Evaluation, ParametricSurface
-from qovr_core.edits import KnotPlace
 from qovr_core.fields import FIELDS, Need, Range
+from qovr_core.geometry.knots import KnotPlace
 
 _REST_MILLISECONDS = 150
 """After this long without a change the surface is drawn on its finer grid."""

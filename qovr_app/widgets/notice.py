@@ -25,7 +25,7 @@ class Notice(QFrame):
         self._layout.addWidget(self._text, 1)
         self.setVisible(False)
 
-    def add_answer(self, name: str, text: str, tip: str, call: Callable[[], None]) -> None:
+    def add_answer(self, name: str, text: str, tip: str, call: Callable[[], object]) -> None:
         """Add a button."""
         button = CompactButton(text, f"{self.objectName()}.{name}", tip, self)
         button.clicked.connect(lambda _checked: call())

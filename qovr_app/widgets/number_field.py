@@ -137,6 +137,12 @@ class NumberField(QLineEdit):
         self._put(value)
         self.value_edited.emit(value, 0)
 
+    def refuse(self, value: float, reason: str) -> None:
+        """Hold the text as the field's own again, whose number was refused; ``value`` is the number that stays."""
+        self._value, self._shown, self._error = value, number_text(value), reason
+        self._refresh()
+        self.text_owned.emit()
+
     def accept(self) -> None:
         """Take the field's own text, which is a valid number, for the number it shows."""
         self._put(self.typed())

@@ -1,62 +1,67 @@
-"""The one table of the window's commands: name, text, shortcut, menu, and what it calls."""
+"""The commands as Qt knows them: actions whose marks follow the state."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from collections.abc import Sequence
 
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 
-SEPARATOR = "-"
+from qovr_app.state.editor_state import EditorState
+from qovr_app.store import Store
+from qovr_app.window.commands import Command
 
 
-@dataclass(frozen=True)
-class Command:
-    """One command.
+class Actions(QObject):
+    """An action for every command; pressing one dispatches its intent, and nothing else ever sets its mark."""
 
-    Parameters
-    ----------
-    name : the action's object name, by which tests and other programs find it
-    text : what the menu says
-    call : what it does; checkable commands are called with whether they are checked
-    menu : the menu it stands in, as "View/Show"
-    shortcut : a standard key or a sequence as text
-    group : commands of one group exclude each other
-    checked : None where the command has no check mark, else how it starts
-    tip : one sentence for the status bar
-    """
+    def __init__(self, commands: Sequence[Command], store: Store, parent: QObject) -> None:
+        super().__init__(parent)
+        self.commands, self._store = tuple(commands), store
+        self._groups: dict[str, QActionGroup] = {}
+        self._actions = {command.name: self._action(command) for command in self.commands}
+        self.show_state(store.state)
 
-    name: str
-    text: str
-    call: Callable[..., Any]
-    menu: str
-    shortcut: QKeySequence.StandardKey | str | None = None
-    group: str = ""
-    checked: bool | None = None
-    tip: str = ""
+    def __getitem__(self, name: str) -> QAction:
+        return self._actions[name]
 
+    def begun_with(self, prefix: str) -> list[QAction]:
+        """Return the actions whose names begin so, in the table's order."""
+        return [action for name, action in self._actions.items() if name.startswith(prefix)]
 
-def make_actions(commands: list[Command], parent: QObject) -> dict[str, QAction]:
-    """Return an action for every command, by name."""
-    groups: dict[str, QActionGroup] = {}
-    actions = {}
-    for command in commands:
-        action = QAction(command.text, parent)
+    def show_state(self, state: EditorState) -> None:
+        """Bring check marks, enabled and the texts that say a noun to a state."""
+        for command in self.commands:
+            action = self._actions[command.name]
+            action.setEnabled(command.is_enabled(state))
+            if command.is_checked is not None:
+                action.setChecked(command.is_checked(state))
+            if command.noun is not None:
+                _name(action, command.text, command.noun(state))
+
+    def _action(self, command: Command) -> QAction:
+        action = QAction(command.text, self.parent())
         action.setObjectName(command.name)
         if command.shortcut is not None:
             action.setShortcut(QKeySequence(command.shortcut))
         tip = command.tip or command.text.replace("&", "").rstrip(".…")
         action.setStatusTip(tip)
         action.setToolTip(tip)
-        if command.checked is None:
-            action.triggered.connect(lambda _checked, call=command.call: call())
-        else:
-            action.setCheckable(True)
-            action.setChecked(command.checked)
-            action.triggered.connect(command.call)
+        action.setCheckable(command.is_checked is not None)
+        action.triggered.connect(lambda _checked: self._on_triggered(command))
         if command.group:
-            groups.setdefault(command.group, QActionGroup(parent)).addAction(action)
-        actions[command.name] = action
-    return actions
+            self._groups.setdefault(command.group, QActionGroup(self)).addAction(action)
+        return action
+
+    def _on_triggered(self, command: Command) -> None:
+        self._store.dispatch(command.intent(self._store.state))
+        # Qt has turned the mark by itself, and a refused intent leaves the state as it was.
+        self.show_state(self._store.state)
+
+
+def _name(action: QAction, verb: str, noun: str) -> None:
+    text = f"{verb} {noun}".strip()
+    if action.text() != text:
+        action.setText(text)
+        action.setToolTip(text.replace("&", ""))
+        action.setIconText(verb.replace("&", ""))

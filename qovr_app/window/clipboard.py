@@ -1,4 +1,4 @@
-"""The commands that copy a zone for a spreadsheet, and paste a spreadsheet's block."""
+"""What can be copied for a spreadsheet, and pasted from one."""
 
 from __future__ import annotations
 
@@ -6,49 +6,40 @@ from collections.abc import Callable
 
 from PySide6.QtGui import QGuiApplication
 
-from qovr_app.window.actions import Command
-from qovr_app.window.layout import Workspace
+from qovr_app.state.intents import MessageShown
+from qovr_app.state.requests import CopyAsked, PasteAsked
+from qovr_app.store import Dispatch
+from qovr_app.window.layout import Layout
 from qovr_core.number_texts import block_text
 
 
-def clipboard_commands(space: Workspace, tell: Callable[[str], None]) -> list[Command]:
-    """Return the commands of the menu Edit that go through the clipboard; ``tell`` says what was copied."""
+class Clipboard:
+    """Copies zones, one coordinate of all points, and what the probe says; pastes blocks."""
 
-    def copy_zone() -> None:
-        zone = space.current_zone()
+    def __init__(self, layout: Layout, probe_text: Callable[[], str], dispatch: Dispatch) -> None:
+        self._layout, self._probe_text, self._dispatch = layout, probe_text, dispatch
+        self._copies = {"zone": self._copy_zone, "plane": self._copy_plane, "probe": self._copy_probe}
+
+    def copy(self, request: CopyAsked) -> None:
+        """Copy what the request names."""
+        self._dispatch(MessageShown(self._copies[request.what]()))
+
+    def paste(self, _request: PasteAsked) -> None:
+        """Paste a spreadsheet's block into the zone that has the keyboard."""
+        self._layout.current_zone().paste_block(QGuiApplication.clipboard().text())
+
+    def _copy_zone(self) -> str:
+        zone = self._layout.current_zone()
         QGuiApplication.clipboard().setText(block_text(zone.copied_block()))
-        tell(f"Copied the {zone.accessibleName().lower()}")
+        return f"Copied the {zone.accessibleName().lower()}"
 
-    def copy_plane() -> None:
-        QGuiApplication.clipboard().setText(block_text(space.points.copied_plane()))
-        tell("Copied one coordinate of all control points")
+    def _copy_plane(self) -> str:
+        QGuiApplication.clipboard().setText(block_text(self._layout.points.copied_plane()))
+        return "Copied one coordinate of all control points"
 
-    def paste_zone() -> None:
-        space.current_zone().paste_block(QGuiApplication.clipboard().text())
-
-    return [
-        Command(
-            "copy_zone",
-            "Copy &zone",
-            copy_zone,
-            "&Edit",
-            "Ctrl+Shift+C",
-            tip="Copy all numbers of the zone for a spreadsheet; control points as 25 rows of X, Y, Z",
-        ),
-        Command(
-            "copy_plane",
-            "Copy one coor&dinate, 5 × 5",
-            copy_plane,
-            "&Edit",
-            "Ctrl+Alt+C",
-            tip="Copy the coordinate in which the keyboard is, of all points, as the net lies",
-        ),
-        Command(
-            "paste_zone",
-            "&Paste into zone",
-            paste_zone,
-            "&Edit",
-            "Ctrl+Shift+V",
-            tip="Paste a spreadsheet's block: 25 x 3 or 5 x 5 for the points, the whole table for knots",
-        ),
-    ]
+    def _copy_probe(self) -> str:
+        text = self._probe_text()
+        if not text:
+            return "There is nothing under the probe (F8) to copy."
+        QGuiApplication.clipboard().setText(text)
+        return "Copied what the probe says"

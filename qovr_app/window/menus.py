@@ -2,33 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Sequence
+from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
-from qovr_app.state.display import LayerChoice
-from qovr_app.window.actions import Command
+from qovr_app.state.requests import RecentCleared, SourceAsked
+from qovr_app.store import Dispatch
+from qovr_app.window.actions import Actions
 
-if TYPE_CHECKING:
-    from qovr_app.window.desk import Desk
-
-_SEPARATED = {
-    "save",
-    "export",
-    "close",
-    "copy_zone",
-    "get_values",
-    "live",
-    "scaling_each",
-    "probe",
-    "pin_reference",
-    "camera_paper",
-    "go_row_knots",
-}
-"""Commands before which a menu has a line."""
-
+_BAR_LAYERS = {"layer_raw": "Raw", "layer_transformed": "Transformed", "layer_both": "Both"}
 _BAR_CAMERAS = {
     "camera_paper": "Paper",
     "camera_top": "Top",
@@ -54,12 +39,12 @@ _BAR_EDITS = {
 }
 
 
-def fill_menu_bar(bar: QMenuBar, commands: list[Command], actions: dict[str, QAction]) -> dict[str, QMenu]:
-    """Put every command into the menu that its entry names; return the menus by their paths."""
+def fill_menu_bar(bar: QMenuBar, actions: Actions) -> dict[str, QMenu]:
+    """Put every command into the menu that its record names; return the menus by their paths."""
     menus: dict[str, QMenu] = {}
-    for command in commands:
+    for command in actions.commands:
         menu = _menu(command.menu, bar, menus)
-        if command.name in _SEPARATED:
+        if command.begins_part:
             menu.addSeparator()
         menu.addAction(actions[command.name])
     return menus
@@ -77,22 +62,21 @@ def _menu(path: str, bar: QMenuBar, menus: dict[str, QMenu]) -> QMenu:
     return menus[key]
 
 
-def make_view_bar(actions: dict[str, QAction], parent: QWidget) -> QToolBar:
+def make_view_bar(actions: Actions, parent: QWidget) -> QToolBar:
     """Return the bar over the view: which surface, how it looks, and from where."""
     bar = _bar("View", "view_bar", parent)
-    for layer, text in ((LayerChoice.RAW, "Raw"), (LayerChoice.TRANSFORMED, "Transformed"), (LayerChoice.BOTH, "Both")):
-        _add(bar, actions[f"layer_{layer}"], text)
+    for name, text in _BAR_LAYERS.items():
+        _add(bar, actions[name], text)
     bar.addSeparator()
     for title, prefixes in _BAR_CHOICES.items():
-        groups = [[action for name, action in actions.items() if name.startswith(prefix)] for prefix in prefixes]
-        bar.addWidget(_choice(title, groups, bar))
+        bar.addWidget(_choice(title, [actions.begun_with(prefix) for prefix in prefixes], bar))
     bar.addSeparator()
     for name, text in _BAR_CAMERAS.items():
         _add(bar, actions[name], text)
     return bar
 
 
-def make_edit_bar(actions: dict[str, QAction], parent: QWidget) -> QToolBar:
+def make_edit_bar(actions: Actions, parent: QWidget) -> QToolBar:
     """Return the bar over the zones: how edits are taken, and back."""
     bar = _bar("Edit", "edit_bar", parent)
     for name, text in _BAR_EDITS.items():
@@ -106,25 +90,25 @@ def make_edit_bar(actions: dict[str, QAction], parent: QWidget) -> QToolBar:
 class RecentMenu(QMenu):
     """The files opened or saved last, looked up whenever the menu opens."""
 
-    def __init__(self, desk: Desk, parent: QWidget) -> None:
+    def __init__(self, recent: Callable[[], Sequence[Path]], dispatch: Dispatch, parent: QWidget) -> None:
         super().__init__("Open &Recent", parent)
         self.setObjectName("menu.recent")
         self.setToolTipsVisible(True)
-        self._desk = desk
+        self._recent, self._dispatch = recent, dispatch
         self.aboutToShow.connect(self._fill)
         self._fill()
 
     def _fill(self) -> None:
         self.clear()
-        for number, path in enumerate(self._desk.recent, start=1):
+        for number, path in enumerate(self._recent(), start=1):
             action = self.addAction(f"&{number}  {path.name}".replace("&&", "&"))
             action.setToolTip(str(path))
-            action.triggered.connect(lambda _checked, path=path: self._desk.open_source(str(path)))
+            action.triggered.connect(lambda _checked, path=path: self._dispatch(SourceAsked(str(path))))
         if self.isEmpty():
             self.addAction("No files yet").setEnabled(False)
             return
         self.addSeparator()
-        self.addAction("&Clear list").triggered.connect(lambda _checked: self._desk.clear_recent())
+        self.addAction("&Clear list").triggered.connect(lambda _checked: self._dispatch(RecentCleared()))
 
 
 def _bar(title: str, name: str, parent: QWidget) -> QToolBar:

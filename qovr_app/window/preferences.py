@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 from pathlib import Path
+from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
 
@@ -44,7 +45,7 @@ class Preferences:
     def recent(self) -> list[Path]:
         """The files opened or saved last, the latest first."""
         value = self._store.value("recent", [])
-        texts = [value] if isinstance(value, str) else value or []
+        texts = [value] if isinstance(value, str) else value if isinstance(value, list) else []
         return [Path(text) for text in texts]
 
     def add_recent(self, path: Path) -> None:
@@ -68,7 +69,7 @@ class Preferences:
 
     def display(self, first: DisplaySettings) -> DisplaySettings:
         """Return ``first`` with every remembered choice in it."""
-        chosen = {}
+        chosen: dict[str, Any] = {}
         for field in fields(first):
             text = self._store.value(f"view/{field.name}")
             if text is None or field.name in _FORGOTTEN:

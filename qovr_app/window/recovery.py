@@ -7,9 +7,9 @@ import secrets
 from dataclasses import dataclass
 from pathlib import Path
 
-from PySide6.QtCore import QLockFile, QObject, QStandardPaths, QTimer, Signal
+from PySide6.QtCore import QLockFile, QObject, QStandardPaths, Signal
 
-from qovr_app.window.session import Session
+from qovr_app.state.editor_state import EditorState
 from qovr_app.work.worker import Worker
 from qovr_core import Document, FileError, QovrError
 from qovr_core.files.atomic import replacing
@@ -153,8 +153,8 @@ Snapshot = tuple[Document, str, Path | None]
 """A document with its title and its file."""
 
 
-class Keeper(QObject):
-    """Keeps a session's document in a recovery store for as long as it is not saved.
+class RecoveryWriter(QObject):
+    """Keeps a window's document in a recovery store for as long as it is not saved.
 
     A thread writes, always the latest document: a slow disk delays no drag, and a kill loses at most what was set
     while one small file was written.
@@ -166,26 +166,21 @@ class Keeper(QObject):
 
     failed = Signal(str)
 
-    def __init__(self, session: Session, store: RecoveryStore, worker: Worker, parent: QObject | None = None) -> None:
+    def __init__(self, store: RecoveryStore, worker: Worker, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session, self._store, self._worker = session, store, worker
+        self._store, self._worker = store, worker
         self._has_failed = False
         self._wanted: list[Snapshot | None] = []
-        self._turn = QTimer(self, singleShot=True, interval=0)  # the history knows only then whether it is clean
-        self._turn.timeout.connect(self._hand_over)
-        session.document_changed.connect(self._turn.start)
-        session.location_changed.connect(self._turn.start)
-        session.history.cleanChanged.connect(self._turn.start)
+
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        """Hand a document that is not saved over to be kept, or let the one before be forgotten."""
+        if after.differs(before, "history", "file"):
+            self._wanted.append((after.document, after.file.title, after.file.path) if after.is_changed else None)
+            self._worker.in_thread(self._write, on_failed=self._on_failed)
 
     def close(self) -> None:
         """Forget the document: it is saved, or nobody wants it; the worker has been closed before."""
-        self._turn.stop()
         self._store.close()
-
-    def _hand_over(self) -> None:
-        session = self._session
-        self._wanted.append((session.document, session.title, session.path) if session.is_changed else None)
-        self._worker.in_thread(self._write, on_failed=self._on_failed)
 
     def _write(self) -> None:
         if not self._wanted:

@@ -2,16 +2,25 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
+from qovr_app.state import intents
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.requests import CameraAsked
+from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
+from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
+from qovr_core.presets import figure_cases
 
 if TYPE_CHECKING:
+    from qovr_app.view3d.figure.figure import FigureOptions
+    from qovr_app.view3d.scene.comparison import Rival
     from qovr_app.view3d.view import View3D
 
 _MARK_MARGIN = 12
@@ -36,30 +45,54 @@ class StaleMark(QLabel):
         super().paintEvent(event)
 
 
-class ViewPlace(QWidget):
-    """An empty place that becomes the view after it has been painted once.
+class ViewFrame(QWidget):
+    """An empty frame that becomes the view after it has been painted once; a view that comes late is right at once."""
 
-    Signals
-    -------
-    filled : the View3D that has come
-    """
-
-    filled = Signal(object)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.view: View3D | None = None
+        self._store = store
+        self._view: View3D | None = None
         self.setAutoFillBackground(True)
         self.setBackgroundRole(QPalette.ColorRole.Base)
-        layout = QVBoxLayout(self)
-        layout.setContentsMargins(0, 0, 0, 0)
+        self._layout = QVBoxLayout(self)
+        self._layout.setContentsMargins(0, 0, 0, 0)
         self._herald = self._make_herald()
         self.stale_mark = StaleMark(self)
 
-    def set_stale(self, is_stale: bool) -> None:
-        """Mark the view as showing a surface that is not the document's."""
-        self.stale_mark.setVisible(is_stale)
+    @property
+    def view(self) -> View3D:
+        """The 3D view; asking for it brings it, if it has not come by itself yet."""
+        if self._view is None:
+            self._view = self._make_view()
+        return self._view
+
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        """Show a state in the view, and whether its surface is that of the document."""
+        self.stale_mark.setVisible(after.is_stale)
         self._place_mark()
+        if self._view is not None:
+            show_in_view(self._view, before, after)
+            if before is not None and before.file.opening != after.file.opening:
+                look_at_opened(self._view, after.file.preset)
+
+    def look(self, request: CameraAsked) -> None:
+        """Look from a named direction, or fit the surface from where the camera is."""
+        if request.name:
+            self.view.set_camera(request.name)
+        else:
+            self.view.fit()
+
+    def save_figure(self, path: Path, options: FigureOptions) -> None:
+        """Write what is seen; see ``View3D.save_figure``."""
+        self.view.save_figure(path, options)
+
+    def probe_text(self) -> str:
+        """Return what the probe says, for the clipboard; empty where it says nothing."""
+        return self.view.probe_text()
+
+    def focus_view(self) -> None:
+        """Bring the keyboard to the view."""
+        self.view.viewports[0].setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -70,21 +103,31 @@ class ViewPlace(QWidget):
         self.stale_mark.move((self.width() - self.stale_mark.width()) // 2, _MARK_MARGIN)
         self.stale_mark.raise_()
 
-    def fill(self) -> View3D:
-        """Bring the view now; a second call returns the same."""
-        if self.view is None:
-            from qovr_app.view3d.view import View3D
-
-            self.view = View3D(self)
-            self.layout().addWidget(self.view)
-            self.stale_mark.raise_()
-            self.filled.emit(self.view)
-        return self.view
-
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self.view is None:
-            QTimer.singleShot(0, self, self.fill)
+        if self._view is None:
+            QTimer.singleShot(0, self, lambda: self.view)
+
+    def _make_view(self) -> View3D:
+        from qovr_app.view3d.view import View3D
+
+        view = View3D(self)
+        self._layout.addWidget(view)
+        self.stale_mark.raise_()
+        show_in_view(view, None, self._store.state)
+        self._listen(view)
+        view.set_camera("paper", animated=False)
+        return view
+
+    def _listen(self, view: View3D) -> None:
+        dispatch = self._store.dispatch
+        view.point_dragged.connect(
+            lambda i, j, point, gesture: dispatch(intents.PointDragged(i, j, tuple(point.tolist()), gesture))
+        )
+        view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
+        view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
+        view.point_selected.connect(lambda index: dispatch(intents.Selected(index)))
+        view.fell_back.connect(lambda reason: dispatch(intents.MessageShown(_without_opengl(reason))))
 
     def _make_herald(self) -> QWidget | None:
         """Return a widget of one pixel that needs OpenGL.
@@ -98,3 +141,48 @@ class ViewPlace(QWidget):
         herald = QOpenGLWidget(self)
         herald.setFixedSize(1, 1)
         return herald
+
+
+def _without_opengl(reason: str) -> str:
+    return f"{reason.rstrip('.')}. The surface is drawn by the 2D painter instead; everything else works."
+
+
+def look_at_opened(view: View3D, preset: str) -> None:
+    """Look at a document that was just opened: as the paper's figures of that preset do, else all of it."""
+    cameras = {case.camera for case in figure_cases().values() if case.preset.name == preset}
+    if len(cameras) == 1:
+        view.set_camera(cameras.pop(), animated=False)
+    else:
+        view.fit(animated=False)
+
+
+def show_in_view(view: View3D, before: EditorState | None, after: EditorState) -> None:
+    """Show in the view what differs from before."""
+    if before is None or before.display != after.display:
+        view.set_settings(after.display)
+    if after.differs(before, "reference"):
+        reference = after.reference
+        view.set_reference(reference.surface if reference else None, reference.name if reference else "")
+    if after.differs(before, "knot"):
+        view.set_focus_knot(after.knot)
+    comparison = (after.shown_comparison, after.measured_point)
+    if before is None or (before.shown_comparison, before.measured_point) != comparison:
+        view.set_rival(_rival(after))
+    if after.evaluation is not None and after.differs(before, "evaluation", "shown_document"):
+        view.set_evaluation(after.evaluation, after.shown_document)
+    if after.differs(before, "selection"):
+        view.select(*(after.selection.last or (None, None)))
+
+
+def _rival(state: EditorState) -> Rival | None:
+    from qovr_app.view3d.scene.comparison import Rival
+
+    choice, point = state.shown_comparison, state.measured_point
+    if choice is None or choice.placement is None:
+        return None
+    surface = COMPARISON_SURFACES[choice.surface]
+    return Rival(
+        surface.title,
+        lambda document: surface.build(document.control_points, point, choice.weight),
+        choice.placement,
+    )

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from itertools import chain
+
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
-from qovr_app.state.names import knot_letter, knot_meaning, spoken
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import FormulationChosen, ValuesEdited
+from qovr_app.state.names import knot_meaning, spoken
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import Note, symbol
@@ -14,32 +19,24 @@ from qovr_app.zones.zone import FieldZone
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.document import NET_SIZE
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, Direction, KnotPlace, Place, Zone, knots_of
+from qovr_core.edits import Zone, knots_of
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, monotone_range
 
 _STEP = 0.01
-_NAMES = {Direction.ROWS: "rsut", Direction.COLUMNS: "tusr"}
+_NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
 """The knots in the order of the paper's window: rightwards for the rows, downwards for the columns."""
 
 
 class KnotsZone(FieldZone):
-    """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward.
+    """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward."""
 
-    Signals
-    -------
-    formulation_requested : a Formulation under which every knot has an effect
-    knot_focused : the KnotPlace whose field has the keyboard now
-    """
-
-    formulation_requested = Signal(object)
-    knot_focused = Signal(object)
     _check = staticmethod(checked_knot)
 
-    def __init__(self, direction: Direction, parent: QWidget | None = None) -> None:
-        letter, parameter = CURVE_LETTERS[direction], PARAMETERS[direction]
+    def __init__(self, direction: Direction, store: Store, parent: QWidget | None = None) -> None:
+        letter, parameter = direction.letter, direction.parameter
         index = "i" if direction is Direction.ROWS else "j"
-        super().__init__(Zone(direction.value), f"{symbol_html(letter, index)}(<i>{parameter}</i>)", parent)
+        super().__init__(Zone(direction.value), f"{symbol_html(letter, index)}(<i>{parameter}</i>)", store, parent)
         self._direction = direction
-        self._links = (False, False)
         self._layout.addLayout(self._make_grid())
         self._caption = QLabel(self)
         self._slider = KnotSlider(f"{direction}.slider", self)
@@ -51,44 +48,44 @@ class KnotsZone(FieldZone):
         self._layout.addLayout(slider_row)
         self._layout.addLayout(self._make_buttons())
         self._note = Note(f"{direction}.note", self)
-        self._note.linkActivated.connect(lambda name: self.formulation_requested.emit(FORMULATIONS[name]))
+        self._note.linkActivated.connect(lambda name: store.dispatch(FormulationChosen(name)))
         self._layout.addWidget(self._note)
         self._layout.addStretch(1)
-        self._focused = next(iter(self.fields))
 
-    def show_documents(self, document: Document, draft: Document) -> None:
-        super().show_documents(document, draft)
-        curves = knots_of(draft, self._direction)
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        super().show_state(before, after)
+        if after.differs(before, "document", "draft"):
+            self._show_effects(after.document, knots_of(after.draft, self._direction))
+        if after.differs(before, "draft", "fields", "links_curves", "links_directions"):
+            self._show_slider(after)
+
+    def _show_effects(self, document: Document, curves: tuple[Knots, ...]) -> None:
+        """Mark the knots without effect, and those whose curve folds back."""
         formulation = document.formulation
-        for place, field in self.fields.items():
+        for place in chain(*self._table()):
+            field, knots = self.fields[place], curves[place.curve]
             field.set_idle(not formulation.is_active(self._direction, place.curve))
             if place.name == "s":
-                knots = curves[place.curve]
-                field.set_warning("" if knots.is_monotone else _folding_text(self._name(place.curve), knots))
+                name = self._direction.curve_name(place.curve)
+                field.set_warning("" if knots.is_monotone else _folding_text(name, knots))
         self._note.say("<br>".join(self._notes(curves, formulation)))
-        self._show_slider()
-
-    def set_links(self, *, curves: bool, directions: bool) -> None:
-        """Say which knots an edit reaches."""
-        self._links = (curves, directions)
-        self._show_slider()
 
     def copied_block(self) -> list[list[float]]:
         return [[self.fields[place].value for place in row] for row in self._table()]
 
-    def _table(self) -> list[list[Place]]:
+    def _table(self) -> list[list[KnotPlace]]:
         """Return the places as they stand in the window."""
         numbers, names = range(NET_SIZE), _NAMES[self._direction]
         if self._direction is Direction.ROWS:
             return [[KnotPlace(self._direction, k, name) for name in names] for k in reversed(numbers)]
         return [[KnotPlace(self._direction, k, name) for k in numbers] for name in names]
 
-    def _places_of_block(self, rows: int, columns: int) -> list[list[Place]]:
+    def _places_of_block(self, rows: int, columns: int) -> list[list[KnotPlace]]:
         table = self._table()
         whole = (len(table), len(table[0]))
         if (rows, columns) == whole:
             return table
-        r, c = next((r, row.index(self._focused)) for r, row in enumerate(table) if self._focused in row)
+        r, c = next((r, row.index(self._place)) for r, row in enumerate(table) if self._place in row)
         part = [row[c : c + columns] for row in table[r : r + rows]]
         if len(part) < rows or len(part[0]) < columns:
             expected = f"the whole zone, {whole[0]} x {whole[1]}, or what fits right of and below the field"
@@ -99,14 +96,14 @@ class KnotsZone(FieldZone):
         grid = QGridLayout()
         grid.setHorizontalSpacing(SPACE)
         grid.setVerticalSpacing(2)
-        letter = CURVE_LETTERS[self._direction]
+        letter = self._direction.letter
         for r, row in enumerate(self._table(), start=1):
             for c, place in enumerate(row, start=1):
                 field = self._make_field(place, _STEP)
                 field.set_tip(knot_meaning(place))
                 grid.addWidget(field, r, c)
                 curve = symbol_html(letter, str(place.curve))
-                knot = symbol_html(knot_letter(place), "ip")
+                knot = symbol_html(place.letter, "ip")
                 across, down = (knot, curve) if self._direction is Direction.ROWS else (curve, knot)
                 if c == 1:
                     grid.addWidget(symbol(down, parent=self), r, 0)
@@ -115,33 +112,34 @@ class KnotsZone(FieldZone):
                 grid.setColumnStretch(c, 1)
         return grid
 
-    def _on_focused(self, place: Place) -> None:
-        super()._on_focused(place)
-        self._show_slider()
-        self.knot_focused.emit(place)
-
     def _on_slider_moved(self, value: float, gesture: int) -> None:
-        self.fields[self._focused].revert()
-        self.values_edited.emit({self._focused: value}, gesture)
+        self.fields[self._knot].revert()
+        if self._store.dispatch(ValuesEdited({self._knot: value}, gesture)) is not None:
+            self._show_slider(self._store.state)
 
-    def _show_slider(self) -> None:
-        place = self._focused
-        curves, directions = self._links
-        letter = CURVE_LETTERS[self._direction]
+    @property
+    def _knot(self) -> KnotPlace:
+        """The knot that the slider moves."""
+        place = self._place
+        return place if isinstance(place, KnotPlace) else self._table()[0][0]
+
+    def _show_slider(self, state: EditorState) -> None:
+        place = self._knot
+        curves, directions = state.links_curves, state.links_directions
+        letter = self._direction.letter
         whose = (
-            f"{symbol_html(letter, '0')}..{symbol_html(letter, '4')}" if curves else symbol_html(letter, place.curve)
+            f"{symbol_html(letter, '0')}..{symbol_html(letter, '4')}"
+            if curves
+            else symbol_html(letter, str(place.curve))
         )
-        more = " + " + ("K" if self._direction is Direction.ROWS else "C") if directions else ""
-        self._caption.setText(f"{symbol_html(knot_letter(place), 'ip')} of {whose}{more}")
+        more = f" + {self._direction.other.letter}" if directions else ""
+        self._caption.setText(f"{symbol_html(place.letter, 'ip')} of {whose}{more}")
         self._slider.setAccessibleName(f"{spoken(place)}, slider")
         monotone = None
         if place.name == "s":
             u = self.fields[KnotPlace(place.direction, place.curve, "u")].value
             monotone = monotone_range(u)
         self._slider.show_knot(self.fields[place].value, monotone)
-
-    def _name(self, curve: int) -> str:
-        return f"{CURVE_LETTERS[self._direction]}_{curve}"
 
     def _notes(self, curves: tuple[Knots, ...], formulation: Formulation) -> list[str]:
         active = [number for number in range(len(curves)) if formulation.is_active(self._direction, number)]
@@ -166,21 +164,16 @@ class KnotsZone(FieldZone):
         return f"Choose {links} to use all {'rows' if self._direction is Direction.ROWS else 'columns'}."
 
     def _symbols(self, numbers: list[int]) -> list[str]:
-        return [symbol_html(CURVE_LETTERS[self._direction], str(number)) for number in numbers]
+        return [symbol_html(self._direction.letter, str(number)) for number in numbers]
 
     def _folding_note(self, folding: list[Knots], numbers: list[int]) -> str:
         shown, s = self._symbols(numbers), symbol_html("s", "ip")
         names = f"{shown[0]}..{shown[-1]}" if len(shown) == NET_SIZE else ", ".join(shown)
         verb = "folds" if len(shown) == 1 else "fold"
         if len({knots.u for knots in folding}) > 1:
-            return f"{names} {verb} back: {s} is too far from {symbol_html(PARAMETERS[self._direction], 'ip')}."
+            return f"{names} {verb} back: {s} is too far from {symbol_html(self._direction.parameter, 'ip')}."
         low, high = monotone_range(folding[0].u)
         return f"{names} {verb} back: {s} lies outside {low:.3g} to {high:.3g}."
-
-
-def monotone_range(u: float) -> tuple[float, float]:
-    """Return the s_ip between which the transformation s(u) of (25) is monotone, for one u_ip."""
-    return u - u * (1 - u), u + u * (1 - u)
 
 
 def _folding_text(name: str, knots: Knots) -> str:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
+from itertools import chain
+
+from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QWidget
 
+from qovr_app.state.editor_state import EditorState
 from qovr_app.state.names import AXES
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import symbol
 from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number
 from qovr_core.document import NET_SIZE
-from qovr_core.edits import CoordinatePlace, Place, Zone
+from qovr_core.edits import CoordinatePlace, Zone
 
 _STEP = 0.01
 _ROWS = range(NET_SIZE - 1, -1, -1)
@@ -20,29 +24,21 @@ _ROWS = range(NET_SIZE - 1, -1, -1)
 
 
 class PointsZone(FieldZone):
-    """The coordinates of the 25 control points.
+    """The coordinates of the 25 control points."""
 
-    Signals
-    -------
-    point_focused : i and j of the point whose field has the keyboard now
-    """
-
-    point_focused = Signal(int, int)
     _check = staticmethod(checked_number)
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(Zone.CONTROL_POINTS, symbol_html("P", "i,j"), parent)
+    def __init__(self, store: Store, parent: QWidget | None = None) -> None:
+        super().__init__(Zone.CONTROL_POINTS, symbol_html("P", "i,j"), store, parent)
         self._layout.addLayout(self._make_grid())
         self._layout.addLayout(self._make_buttons())
         self._layout.addStretch(1)
-        self._focused = next(iter(self.fields))
-        self._marked: tuple[int, int] | None = None
 
-    def mark_point(self, index: tuple[int, int] | None) -> None:
-        """Frame the fields of the point that is selected elsewhere, or of none."""
-        self._marked = index
-        for place, field in self.fields.items():
-            field.set_marked((place.i, place.j) == index)
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        super().show_state(before, after)
+        if after.differs(before, "selection"):
+            for place in chain(*self._points()):
+                self.fields[place].set_marked((place.i, place.j) in after.selection.points)
 
     def copied_block(self) -> list[list[float]]:
         return [[self.fields[place].value for place in row] for row in self._points()]
@@ -51,14 +47,20 @@ class PointsZone(FieldZone):
         """Return one coordinate of all points, 5 x 5 as the net lies: that of the field that had the keyboard last."""
         return [[self.fields[place].value for place in row] for row in self._plane()]
 
-    def _points(self) -> list[list[Place]]:
+    @property
+    def _coordinate(self) -> CoordinatePlace:
+        """The coordinate whose field has, or had last, the keyboard."""
+        place = self._place
+        return place if isinstance(place, CoordinatePlace) else CoordinatePlace(0, 0, 0)
+
+    def _points(self) -> list[list[CoordinatePlace]]:
         return [[CoordinatePlace(i, j, axis) for axis in range(3)] for i in range(NET_SIZE) for j in range(NET_SIZE)]
 
-    def _plane(self) -> list[list[Place]]:
-        return [[CoordinatePlace(i, j, self._focused.axis) for j in range(NET_SIZE)] for i in _ROWS]
+    def _plane(self) -> list[list[CoordinatePlace]]:
+        return [[CoordinatePlace(i, j, self._coordinate.axis) for j in range(NET_SIZE)] for i in _ROWS]
 
-    def _places_of_block(self, rows: int, columns: int) -> list[list[Place]]:
-        i, j = self._focused.i, self._focused.j
+    def _places_of_block(self, rows: int, columns: int) -> list[list[CoordinatePlace]]:
+        i, j = self._coordinate.i, self._coordinate.j
         point = [CoordinatePlace(i, j, axis) for axis in range(3)]
         shapes = {(25, 3): self._points(), (5, 5): self._plane(), (1, 3): [point], (3, 1): [[place] for place in point]}
         try:
@@ -91,7 +93,3 @@ class PointsZone(FieldZone):
             if i:
                 grid.setRowMinimumHeight(line - 1, SPACE)
         return grid
-
-    def _on_focused(self, place: Place) -> None:
-        super()._on_focused(place)
-        self.point_focused.emit(place.i, place.j)

@@ -10,8 +10,8 @@ from qovr_core.checks import SAMPLES_RANGE, checked_samples
 
 
 def _check(value: object, name: str) -> float:
-    is_whole = isinstance(value, float) and value.is_integer()
-    return float(checked_samples(int(value) if is_whole else value, name))
+    count = int(value) if isinstance(value, float) and value.is_integer() else value
+    return float(checked_samples(count, name))
 
 
 class SamplesField(NumberField):

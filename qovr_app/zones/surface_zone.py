@@ -3,9 +3,20 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import (
+    Configured,
+    FormulationChosen,
+    Intent,
+    MessageOutdated,
+    MessageShown,
+    SamplesChosen,
+)
+from qovr_app.state.requests import ExportAsked, FigureAsked
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_table import NumberTable
@@ -15,25 +26,11 @@ from qovr_core import FORMULATIONS, Document, Evaluation
 
 
 class SurfaceZone(QFrame):
-    """Shows the configured surface's numbers, and reports what to do with it.
+    """Shows the configured surface's numbers, and dispatches what to do with it."""
 
-    Signals
-    -------
-    formulation_edited : a Formulation
-    samples_edited : counts along u and v
-    configure_requested, export_requested, figure_requested : the buttons
-    refused : one sentence that says what was not done, and why
-    """
-
-    formulation_edited = Signal(object)
-    samples_edited = Signal(object)
-    configure_requested = Signal()
-    export_requested = Signal()
-    figure_requested = Signal()
-    refused = Signal(str)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._store = store
         self.setObjectName("zone.surface")
         self.setAccessibleName("Surface")
         self._formulation = QComboBox(self, objectName="surface.formulation")
@@ -57,29 +54,35 @@ class SurfaceZone(QFrame):
             "surface.matrix", "Transformation matrix T", corner="<i>T</i>", rows=axes, columns=axes, parent=self
         )
         self._fill_formulations()
-        self._configure.clicked.connect(self.configure_requested)
-        self._export.clicked.connect(self.export_requested)
-        self._figure.clicked.connect(self.figure_requested)
+        for button, intent in (
+            (self._configure, Configured()),
+            (self._export, ExportAsked()),
+            (self._figure, FigureAsked()),
+        ):
+            button.clicked.connect(lambda _checked, intent=intent: store.dispatch(intent))
         self._arrange()
 
-    def show_state(self, document: Document, evaluation: Evaluation | None, *, is_stale: bool) -> None:
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
         """Show what the document asks for, and the numbers of the surface configured last."""
+        if before is not None and before.file.opening != after.file.opening:
+            for field in self._samples:
+                field.revert()
+        if after.differs(before, "document"):
+            self._show_document(after.document)
+        if after.differs(before, "document", "evaluation"):
+            self._show_numbers(after.evaluation)
+            self._show_stale(after.evaluation, is_stale=after.is_stale)
+
+    def _show_document(self, document: Document) -> None:
         with QSignalBlocker(self._formulation):
             self._formulation.setCurrentIndex(self._formulation.findText(document.formulation.name))
         self._formulation.setToolTip(document.formulation.description)
         for field, count in zip(self._samples, document.samples, strict=True):
             field.show_count(count)
-        self._show_numbers(evaluation)
-        self._show_stale(evaluation, is_stale)
 
     def focus_first(self) -> None:
         """Bring the keyboard to the first control."""
         self._formulation.setFocus()
-
-    def drop_text(self) -> None:
-        """Drop counts that are typed and not valid."""
-        for field in self._samples:
-            field.revert()
 
     def _show_numbers(self, evaluation: Evaluation | None) -> None:
         if evaluation is None:
@@ -89,7 +92,7 @@ class SurfaceZone(QFrame):
         self._boxes.show_numbers(np.hstack([evaluation.control_box, evaluation.raw_box]))
         self._matrix.show_numbers(evaluation.matrix)
 
-    def _show_stale(self, evaluation: Evaluation | None, is_stale: bool) -> None:
+    def _show_stale(self, evaluation: Evaluation | None, *, is_stale: bool) -> None:
         self._configure.set_due(is_stale)
         self._export.setEnabled(not is_stale)
         self._export.setToolTip(
@@ -114,18 +117,30 @@ class SurfaceZone(QFrame):
 
     def _samples_field(self, parameter: str) -> SamplesField:
         field = SamplesField(parameter, self)
-        field.count_edited.connect(lambda _count: self.samples_edited.emit(tuple(f.count for f in self._samples)))
-        field.refused.connect(lambda reason: self.refused.emit(reason and f"{reason}."))
+        field.count_edited.connect(lambda _count: self._on_samples_edited())
+        field.refused.connect(self._on_refused)
         return field
+
+    def _on_samples_edited(self) -> None:
+        along_u, along_v = (field.count for field in self._samples)
+        self._dispatch(SamplesChosen((along_u, along_v)))
+
+    def _on_refused(self, reason: str) -> None:
+        refusal = MessageShown(f"{reason}.", is_refusal=True)
+        self._dispatch(refusal if reason else MessageOutdated(only_refusals=True))
+
+    def _dispatch(self, intent: Intent) -> None:
+        """Dispatch a choice; where it is refused, show what is so."""
+        if self._store.dispatch(intent) is not None:
+            self._show_document(self._store.state.document)
 
     def _fill_formulations(self) -> None:
         self._formulation.setAccessibleName("Formulation")
-        for formulation in FORMULATIONS.values():
-            self._formulation.addItem(formulation.name, formulation)
-            self._formulation.setItemData(self._formulation.count() - 1, formulation.description, Qt.ToolTipRole)
-        self._formulation.currentIndexChanged.connect(
-            lambda index: self.formulation_edited.emit(self._formulation.itemData(index))
-        )
+        for name, formulation in FORMULATIONS.items():
+            self._formulation.addItem(name)
+            tip = Qt.ItemDataRole.ToolTipRole
+            self._formulation.setItemData(self._formulation.count() - 1, formulation.description, tip)
+        self._formulation.currentTextChanged.connect(lambda name: self._dispatch(FormulationChosen(name)))
 
     def _arrange(self) -> None:
         choices = QHBoxLayout()

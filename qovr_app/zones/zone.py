@@ -3,67 +3,69 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
-from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import (
+    FieldFocused,
+    MessageOutdated,
+    MessageShown,
+    TextTyped,
+    ValuesEdited,
+    ValuesPasted,
+    ZoneRead,
+    ZoneSet,
+)
 from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
 from qovr_app.state.typed import typed_block
+from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import MARGINS, CompactButton, title_html
-from qovr_core import Document, DocumentError, QovrError
+from qovr_core import DocumentError, QovrError
 from qovr_core.edits import Place, Zone, value_at
 
 
 class FieldZone(QFrame):
-    """A zone of fields, one a number of the document.
+    """A zone of fields, one a number of the document: shows the draft, and dispatches what the user wants of it."""
 
-    Signals
-    -------
-    values_edited : a dict of places and values that one intent changes, and its gesture, 0 for none
-    values_pasted : a dict of places and values
-    set_requested : a dict of the values typed and not yet reported, all of them valid
-    get_requested : the fields have dropped their own text
-    refused : one sentence that says what was not done, and why; empty when that is outdated
-    """
-
-    values_edited = Signal(object, int)
-    values_pasted = Signal(object)
-    set_requested = Signal(object)
-    get_requested = Signal()
-    refused = Signal(str)
-
-    def __init__(self, zone: Zone, aside: str, parent: QWidget | None = None) -> None:
+    def __init__(self, zone: Zone, aside: str, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.zone = zone
+        self.zone, self._store = zone, store
         self.setObjectName(f"zone.{zone}")
         self.setAccessibleName(ZONE_TITLES[zone])
         self.fields: dict[Place, NumberField] = {}
-        self._focused: Place | None = None
         self._title = QLabel(title_html(ZONE_TITLES[zone], aside), self)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(*MARGINS)
         self._layout.setSpacing(SPACE)
         self._layout.addWidget(self._title)
 
-    def show_documents(self, document: Document, draft: Document) -> None:
-        """Show a draft, and mark what differs from the document."""
-        for place, field in self.fields.items():
-            value = value_at(draft, place)
-            field.show_value(value, is_unset=value != value_at(document, place))
-        self._count_pending()
+    def show_state(self, before: EditorState | None, after: EditorState) -> None:
+        """Show the draft of a state, and mark what differs from the document."""
+        if before is not None:
+            self._drop_texts(before, after)
+        if after.differs(before, "document", "draft"):
+            for place, field in self.fields.items():
+                value = value_at(after.draft, place)
+                field.show_value(value, is_unset=value != value_at(after.document, place))
+        if after.differs(before, "document", "draft", "texts"):
+            self._count_pending()
 
-    def drop_text(self) -> None:
-        """Drop every field's own text."""
-        for field in self.fields.values():
-            field.revert()
+    def _drop_texts(self, before: EditorState, after: EditorState) -> None:
+        """Drop the texts of fields that the state holds no longer."""
+        if before.texts is not after.texts:
+            for place in before.texts:
+                if place not in after.texts and place in self.fields:
+                    self.fields[place].revert()
 
     def get_values(self) -> None:
         """Read the active state into the fields."""
-        self.drop_text()
-        self.get_requested.emit()
+        for field in self.fields.values():
+            field.revert()
+        self._store.dispatch(ZoneRead(self.zone))
 
     def set_values(self) -> None:
         """Report what the fields hold, or which of them holds nothing valid: then nothing is set."""
@@ -78,24 +80,28 @@ class FieldZone(QFrame):
             field, reason = refusals[0]
             field.setFocus()
             more = f" ({len(refusals)} fields are marked.)" if len(refusals) > 1 else ""
-            self.refused.emit(f"Nothing was set: {reason}.{more}")
+            self._refuse(f"Nothing was set: {reason}.{more}")
             return
-        for place in typed:
-            self.fields[place].accept()
-        self.set_requested.emit(typed)
+        if self._store.dispatch(ZoneSet(self.zone, typed)) is None:
+            for place in typed:
+                self.fields[place].accept()
 
     def focus_first(self) -> None:
         """Bring the keyboard to the field that had it last, else to the first one."""
-        place = self._focused or next(iter(self.fields))
-        self.fields[place].setFocus()
-        self.fields[place].selectAll()
+        self.fields[self._place].setFocus()
+        self.fields[self._place].selectAll()
+
+    @property
+    def _place(self) -> Place:
+        """The field that has, or had last, the keyboard; the first one before any had it."""
+        return self._store.state.fields.get(self.zone, next(iter(self.fields)))
 
     @abstractmethod
     def copied_block(self) -> list[list[float]]:
         """Return the zone's numbers as a table, as they lie in a spreadsheet."""
 
     @abstractmethod
-    def _places_of_block(self, rows: int, columns: int) -> list[list[Place]]:
+    def _places_of_block(self, rows: int, columns: int) -> Sequence[Sequence[Place]]:
         """Return where a block of this size goes, or raise DocumentError with the sizes that have a place."""
 
     def paste_block(self, text: str) -> None:
@@ -108,11 +114,11 @@ class FieldZone(QFrame):
                 for place, value in zip(place_row, row, strict=True):
                     values[place] = self._check(value, label(place))
         except QovrError as error:
-            self.refused.emit(f"Nothing was pasted: {error}.")
+            self._refuse(f"Nothing was pasted: {error}.")
             return
         for place in values:
             self.fields[place].revert()
-        self.values_pasted.emit(values)
+        self._store.dispatch(ValuesPasted(values))
 
     # For the zones
 
@@ -122,16 +128,26 @@ class FieldZone(QFrame):
         field = NumberField(label(place), self._check, step, self)
         field.setObjectName(object_name(place))
         field.setAccessibleName(spoken(place))
-        field.value_edited.connect(lambda value, gesture: self.values_edited.emit({place: value}, gesture))
-        field.refused.connect(lambda reason: self.refused.emit(reason and f"{reason}."))
-        field.focused.connect(lambda: self._on_focused(place))
-        field.text_owned.connect(self._count_pending)
+        field.value_edited.connect(lambda value, gesture: self._on_value_edited(place, value, gesture))
+        field.refused.connect(lambda reason: self._refuse(reason and f"{reason}."))
+        field.focused.connect(lambda: self._store.dispatch(FieldFocused(place)))
+        field.text_owned.connect(lambda: self._on_text_owned(place, field))
         field.block_pasted.connect(self.paste_block)
         self.fields[place] = field
         return field
 
-    def _on_focused(self, place: Place) -> None:
-        self._focused = place
+    def _on_value_edited(self, place: Place, value: float, gesture: int) -> None:
+        error = self._store.dispatch(ValuesEdited({place: value}, gesture))
+        if error is not None:
+            self.fields[place].refuse(value_at(self._store.state.draft, place), str(error))
+
+    def _on_text_owned(self, place: Place, field: NumberField) -> None:
+        self._store.dispatch(TextTyped(place, field.text() if field.has_own_text else None))
+        self._count_pending()
+
+    def _refuse(self, text: str) -> None:
+        """Say why something was not done; an empty text says that this is outdated."""
+        self._store.dispatch(MessageShown(text, is_refusal=True) if text else MessageOutdated(only_refusals=True))
 
     def _make_buttons(self) -> QHBoxLayout:
         """Return the row of Get and Set; made after the fields, because Tab goes in the order of making."""

@@ -12,12 +12,12 @@ from qovr_core.arrays import Array
 from qovr_core.checks import checked_knot, checked_number, described
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.errors import DocumentError, FileError
-from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.knots import KNOT_NAMES, Knots
 
 SHAPES = {
     "control_points": (NET_SIZE, NET_SIZE, 3),
-    "row_knots": (NET_SIZE, 4),
-    "column_knots": (NET_SIZE, 4),
+    "row_knots": (NET_SIZE, len(KNOT_NAMES)),
+    "column_knots": (NET_SIZE, len(KNOT_NAMES)),
 }
 INPUTS = (*SHAPES, "formulation", "u", "v")
 """The arrays that make a document; the samples are the lengths of ``u`` and ``v``."""

@@ -11,7 +11,8 @@ import numpy as np
 from qovr_core.arrays import Array, read_only
 from qovr_core.errors import FileError
 from qovr_core.geometry import bernstein
-from qovr_core.geometry.patch import PATCH_DEGREE, Edge, Patch
+from qovr_core.geometry.edges import Edge
+from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 
 _ROUNDING = 1e-13
 """Elevated again, reduced coefficients must meet the patch within this part of its largest coefficient."""
@@ -87,15 +88,15 @@ def outline(points: Array, within: float) -> Outline:
     points : (p + 1, q + 1, 3) Bernstein coefficients
     within : the distance at which points count as one
     """
-    edges = {Edge.U0: points[0], Edge.U1: points[-1], Edge.V0: points[:, 0], Edge.V1: points[:, -1]}
+    edges = {edge: points[edge.position] for edge in Edge}
 
     def coincide(a: Array, b: Array) -> bool:
         return bool(np.linalg.norm(a - b, axis=-1).max() <= within)
 
     return Outline(
         collapsed=frozenset(name for name, curve in edges.items() if coincide(curve, curve[:1])),
-        closed_u=coincide(points[0], points[-1]),
-        closed_v=coincide(points[:, 0], points[:, -1]),
+        closed_u=coincide(edges[Edge.U0], edges[Edge.U1]),
+        closed_v=coincide(edges[Edge.V0], edges[Edge.V1]),
     )
 
 

@@ -15,7 +15,8 @@ from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.files import bspline, tessellation
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.geometry.patch import Edge, Patch
+from qovr_core.geometry.edges import Edge
+from qovr_core.geometry.patch import Patch
 
 Indices = npt.NDArray[np.int32]
 
@@ -146,12 +147,12 @@ def _welded(patch: Patch, points: Array, normals: Array, measured: float | None)
 def _groups(edges: bspline.Outline, shape: tuple[int, int]) -> list[Indices]:
     """Return the sets of flat grid indices, each (g, ...), whose first axis is one place."""
     grid = np.arange(shape[0] * shape[1], dtype=np.int32).reshape(shape)
-    sides = {Edge.U0: grid[0], Edge.U1: grid[-1], Edge.V0: grid[:, 0], Edge.V1: grid[:, -1]}
+    sides = {edge: grid[edge.position] for edge in Edge}
     groups = [sides[edge][:, None] for edge in Edge if edge in edges.collapsed]
     if edges.closed_u:
-        groups.append(np.stack([grid[0], grid[-1]]))
+        groups.append(np.stack([sides[Edge.U0], sides[Edge.U1]]))
     if edges.closed_v:
-        groups.append(np.stack([grid[:, 0], grid[:, -1]]))
+        groups.append(np.stack([sides[Edge.V0], sides[Edge.V1]]))
     return groups
 
 

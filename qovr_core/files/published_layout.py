@@ -46,7 +46,8 @@ TRANSFORMED_DECIMALS = 5
 ROW_CURVE_NAMES = ("C_4", "C_3", "C_2", "C_1", "C_0")
 COLUMN_CURVE_NAMES = ("K_0", "K_1", "K_2", "K_3", "K_4")
 COLUMN_KNOT_NAMES = ("tip_K", "vip", "sip_K", "rip_K")
-"""Downward from the first row: the tables stand as the net lies in space, rows upward."""
+"""Downward from the first row: the tables stand as the net lies in space, rows upward; so does the knots' order r, s,
+v, t of a column, which is that of a row from left to right."""
 
 RECORD_SHEET = "Document"
 """A second sheet for what the published layout has no place for: formulation, samples, and the exact document."""

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
 from qovr_core.checks import checked_knot, described
 from qovr_core.document import NET_SIZE, Document
+from qovr_core.edits import knots_of
 from qovr_core.errors import DocumentError, FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.format import Format
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.knots import Direction, Knots
 
 FORMAT = "qovr-document"
 VERSION = 1
@@ -23,8 +23,6 @@ VERSION = 1
 LARGEST_FILE = 1_000_000
 """Bytes; a document is a few thousand, so a larger file is something else."""
 
-ROW_NAMES = ("r", "s", "u", "t")
-COLUMN_NAMES = ("r", "s", "v", "t")
 _KEYS = ("format", "version", "formulation", "samples", "control_points", "row_knots", "column_knots")
 
 
@@ -77,15 +75,16 @@ def document_to_json(document: Document) -> str:
         "formulation": json.dumps(str(document.formulation)),
         "samples": json.dumps(list(document.samples)),
         "control_points": _lines(rows),
-        "row_knots": _lines(_knot_lines(document.row_knots, ROW_NAMES)),
-        "column_knots": _lines(_knot_lines(document.column_knots, COLUMN_NAMES)),
+        "row_knots": _knot_lines(document, Direction.ROWS),
+        "column_knots": _knot_lines(document, Direction.COLUMNS),
     }
     body = ",\n".join(f"  {json.dumps(key)}: {text}" for key, text in entries.items())
     return f"{{\n{body}\n}}\n"
 
 
-def _knot_lines(curves: Iterable[Knots], names: tuple[str, ...]) -> list[str]:
-    return [json.dumps(dict(zip(names, knots, strict=True))) for knots in curves]
+def _knot_lines(document: Document, direction: Direction) -> str:
+    curves = knots_of(document, direction)
+    return _lines([json.dumps(dict(zip(direction.knot_letters, knots, strict=True))) for knots in curves])
 
 
 def _lines(texts: list[str]) -> str:
@@ -109,8 +108,8 @@ def document_from_json(text: str) -> Document:
     _check_keys(data, _KEYS, "")
     return Document(
         control_points=data["control_points"],
-        row_knots=_curves(data["row_knots"], "row_knots", ROW_NAMES),
-        column_knots=_curves(data["column_knots"], "column_knots", COLUMN_NAMES),
+        row_knots=_curves(data["row_knots"], Direction.ROWS),
+        column_knots=_curves(data["column_knots"], Direction.COLUMNS),
         formulation=data["formulation"],
         samples=data["samples"],
     )
@@ -132,10 +131,10 @@ def _check_keys(entries: dict[str, Any], keys: tuple[str, ...], place: str) -> N
             raise DocumentError(f"{place}{key}", "missing", "all of " + ", ".join(keys))
 
 
-def _curves(value: object, place: str, names: tuple[str, ...]) -> tuple[Knots, ...]:
+def _curves(value: object, direction: Direction) -> tuple[Knots, ...]:
     if not isinstance(value, list) or len(value) != NET_SIZE:
-        raise DocumentError(place, described(value), f"a list of {NET_SIZE} entries")
-    return tuple(_knots(entry, f"{place}[{k}]", names) for k, entry in enumerate(value))
+        raise DocumentError(direction, described(value), f"a list of {NET_SIZE} entries")
+    return tuple(_knots(entry, f"{direction}[{k}]", direction.knot_letters) for k, entry in enumerate(value))
 
 
 def _knots(value: object, place: str, names: tuple[str, ...]) -> Knots:

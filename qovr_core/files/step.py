@@ -21,7 +21,7 @@ from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, UNIT, origin, timestamp
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.geometry.patch import Edge
+from qovr_core.geometry.edges import Edge
 
 SCHEMA = "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }"
 
@@ -30,11 +30,6 @@ _UNCERTAINTY_DIGITS = 8
 
 _LOOP = ((Edge.V0, True), (Edge.U1, True), (Edge.V1, False), (Edge.U0, False))
 """The boundary, counterclockwise seen from the tip of S_u x S_v, and whether each edge runs with its parameter."""
-
-_CORNERS = {Edge.V0: ((0, 0), (-1, 0)), Edge.U1: ((-1, 0), (-1, -1)), Edge.V1: ((0, -1), (-1, -1))} | {
-    Edge.U0: ((0, 0), (0, -1))
-}
-_CURVES = {Edge.U0: (0,), Edge.U1: (-1,), Edge.V0: (slice(None), 0), Edge.V1: (slice(None), -1)}
 
 
 def write_step(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
@@ -204,8 +199,8 @@ def _loop(entities: _Entities, points: Array, edges: bspline.Outline) -> str:
             continue
         kept = same.get(edge, edge)
         if kept not in curves:
-            start, end = (vertices[corner] for corner in _CORNERS[kept])
-            curve = _curve(entities, points[_CURVES[kept]], closed=start == end)
+            start, end = (vertices[corner] for corner in kept.corners)
+            curve = _curve(entities, points[kept.position], closed=start == end)
             curves[kept] = entities.add(f"EDGE_CURVE('',{start},{end},{curve},.T.)")
         oriented.append(entities.add(f"ORIENTED_EDGE('',*,*,{curves[kept]},{'.T.' if forward else '.F.'})"))
     if not oriented:

@@ -16,7 +16,7 @@ from qovr_core.errors import DocumentError, FileError
 from qovr_core.files import published_layout as layout
 from qovr_core.files.qovr_document import document_from_json
 from qovr_core.formulations import Formulation
-from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.knots import KNOT_NAMES, Knots, knot_array
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,15 +168,14 @@ def _to_the_last_bit(document: Document, record: dict[str, Any]) -> Document:
 def _row_knots(sheet: _Sheet) -> tuple[Knots, ...]:
     first = layout.column_index(layout.ROW_KNOTS) + 1
     rows = range(layout.FIRST_ROW + NET_SIZE - 1, layout.FIRST_ROW - 1, -1)  # C_0 stands lowest
-    return tuple(Knots(*(sheet.knot(first + c, row) for c in range(4))) for row in rows)
+    return tuple(Knots(*(sheet.knot(first + c, row) for c in range(len(KNOT_NAMES)))) for row in rows)
 
 
 def _column_knots(sheet: _Sheet) -> tuple[Knots, ...]:
     first = layout.column_index(layout.COLUMN_KNOTS) + 1
-    rows = range(layout.FIRST_ROW, layout.FIRST_ROW + 4)  # t, v, s, r downward
+    rows = range(layout.FIRST_ROW + len(KNOT_NAMES) - 1, layout.FIRST_ROW - 1, -1)  # r stands lowest
     columns = range(first, first + NET_SIZE)
-    knots = [[sheet.knot(column, row) for row in rows] for column in columns]
-    return tuple(Knots(r=r, s=s, u=v, t=t) for t, v, s, r in knots)
+    return tuple(Knots(*(sheet.knot(column, row) for row in rows)) for column in columns)
 
 
 def _raw_points(sheet: _Sheet) -> int:

@@ -174,7 +174,7 @@ def _row_knot_rows(document: Document) -> Iterator[list[Any]]:
 
 
 def _column_knot_rows(document: Document) -> Iterator[list[Any]]:
-    r, s, v, t = knot_array(document.column_knots).T.tolist()
-    for name, values in zip(layout.COLUMN_KNOT_NAMES, (t, v, s, r), strict=True):
+    downward = knot_array(document.column_knots).T[::-1].tolist()
+    for name, values in zip(layout.COLUMN_KNOT_NAMES, downward, strict=True):
         yield [name, *values]
     yield [None, *layout.COLUMN_CURVE_NAMES]

@@ -12,7 +12,7 @@ from qovr_core.arrays import Array
 from qovr_core.checks import checked_knot
 
 KNOT_NAMES = ("r", "s", "u", "t")
-"""The internal knots of a curve in their order everywhere; ``u`` is v_ip on a column curve."""
+"""The internal knots of a curve in their order everywhere; ``u`` is written v on a column curve."""
 
 
 class Direction(StrEnum):
@@ -31,6 +31,20 @@ class Direction(StrEnum):
         """The letter of the parameter that runs along its curves, C_i(u) or K_j(v)."""
         return "u" if self is Direction.ROWS else "v"
 
+    @property
+    def other(self) -> Direction:
+        """The other family."""
+        return Direction.COLUMNS if self is Direction.ROWS else Direction.ROWS
+
+    @property
+    def knot_letters(self) -> tuple[str, ...]:
+        """What the knots of its curves are written as, in the order of ``KNOT_NAMES``: r s u t, or r s v t."""
+        return tuple(self.parameter if name == "u" else name for name in KNOT_NAMES)
+
+    def curve_name(self, number: int) -> str:
+        """Return what messages call one of its curves, as ``C_4``."""
+        return f"{self.letter}_{number}"
+
 
 @dataclass(frozen=True, slots=True)
 class KnotPlace:
@@ -45,9 +59,13 @@ class KnotPlace:
         """Its place in ``KNOT_NAMES``."""
         return KNOT_NAMES.index(self.name)
 
+    @property
+    def letter(self) -> str:
+        """What the paper writes it as: v for the knot of a column curve that is u on a row."""
+        return self.direction.knot_letters[self.number]
+
     def __str__(self) -> str:
-        name = self.direction.parameter if self.name == "u" else self.name
-        return f"{self.direction}[{self.curve}].{name}"
+        return f"{self.direction}[{self.curve}].{self.letter}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,9 +109,24 @@ class Knots:
         return self.s == self.u
 
     @property
+    def degree(self) -> int:
+        """The degree of the curve in its parameter, 4 or 6."""
+        return 4 if self.is_quartic else 6
+
+    @property
     def is_monotone(self) -> bool:
         """Whether the transformation s(u) of (25) is monotone on [0, 1]; otherwise the curve folds back."""
-        return abs(self.s - self.u) <= self.u * (1 - self.u)
+        return abs(self.s - self.u) <= _monotone_reach(self.u)
+
+
+def _monotone_reach(u: float) -> float:
+    """Return how far s_ip may be from u_ip while s(u) stays monotone."""
+    return u * (1 - u)
+
+
+def monotone_range(u: float) -> tuple[float, float]:
+    """Return the s_ip between which the transformation s(u) of (25) is monotone, for one u_ip."""
+    return u - _monotone_reach(u), u + _monotone_reach(u)
 
 
 def knot_array(knots: Sequence[Knots]) -> Array:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 
 import numpy as np
 import numpy.typing as npt
@@ -11,6 +10,7 @@ import numpy.typing as npt
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry import bernstein, differential, extent, grid
 from qovr_core.geometry.differential import Curvature
+from qovr_core.geometry.edges import Edge
 
 PATCH_DEGREE = 6
 """Degree each way in which every patch is held, whatever its true degree."""
@@ -19,15 +19,6 @@ _SINGULAR = 1e-12
 """|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
 
 _NO_JOINTS = read_only(np.empty(0))
-
-
-class Edge(StrEnum):
-    """The four edges of a patch."""
-
-    U0 = "u=0"
-    U1 = "u=1"
-    V0 = "v=0"
-    V1 = "v=1"
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,9 +150,8 @@ class Patch:
 
     def edge(self, edge: Edge) -> Array:
         """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
-        c = self.coefficients
-        curves: dict[Edge, Array] = {Edge.U0: c[0], Edge.U1: c[-1], Edge.V0: c[:, 0], Edge.V1: c[:, -1]}
-        return curves[edge]
+        curve: Array = self.coefficients[edge.position]
+        return curve
 
     def bounding_box(self) -> Array:
         """Return the exact box over [0, 1] x [0, 1], (3, 2) float64 with columns min and max."""

@@ -15,7 +15,7 @@ from qovr_core.errors import DocumentError, EvaluationError
 from qovr_core.evaluation import Evaluation
 from qovr_core.geometry.closest import closest_points
 from qovr_core.geometry.differential import ParametricSurface
-from qovr_core.geometry.patch import Edge
+from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.rounding import in_own_unit
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.laboratory.shape_measures import Joints, bending_energy, joints, largest_distance
@@ -220,5 +220,4 @@ def _shares(motion: Array, areas: Array) -> tuple[float, ...]:
 
 
 def _edge_motion(motion: Array) -> dict[Edge, float]:
-    edges: dict[Edge, Array] = {Edge.U0: motion[0], Edge.U1: motion[-1], Edge.V0: motion[:, 0], Edge.V1: motion[:, -1]}
-    return {edge: float(values.max()) for edge, values in edges.items()}
+    return {edge: float(motion[edge.position].max()) for edge in Edge}

@@ -8,7 +8,7 @@ from enum import Enum
 from math import degrees, isfinite
 from typing import Any
 
-from qovr_core.geometry.patch import Edge
+from qovr_core.geometry.edges import Edge
 from qovr_core.laboratory.comparison import REFERENCE, SHARES, Comparison, ComparisonInput, Measures
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.number_texts import percent_text

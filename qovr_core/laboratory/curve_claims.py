@@ -8,8 +8,8 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.construction import build_patch
-from qovr_core.document import NET_SIZE, Document
-from qovr_core.edits import CURVE_LETTERS, set_all_knots
+from qovr_core.document import Document
+from qovr_core.edits import knots_of, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels, kernels
 from qovr_core.geometry.knots import Direction, Knots, knot_array
@@ -17,14 +17,18 @@ from qovr_core.geometry.rounding import ROUNDING, largest
 from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients
 from qovr_core.laboratory.measurement import Condition, Measurement
 
-CURVE_NAMES = tuple(f"{CURVE_LETTERS[direction]}_{k}" for direction in Direction for k in range(NET_SIZE))
-"""The ten curves of a document, rows before columns."""
-
 _QUARTIC = 4
 _HALVES = Knots()
 _THIRDS = Knots(r=0.3, s=0.5, u=0.5, t=0.7)
 """The paper's Figure 6b: 1/0.3 and 1/0.7 have endless decimals."""
 _LIFTED = Knots(s=0.6)
+
+
+def curve_names(document: Document) -> tuple[str, ...]:
+    """Return the names of the curves of a document, rows before columns."""
+    return tuple(
+        direction.curve_name(number) for direction in Direction for number in range(len(knots_of(document, direction)))
+    )
 
 
 def inverse(document: Document) -> Measurement:
@@ -69,7 +73,7 @@ def quartic(document: Document) -> Measurement:
     of_curves = [polynomial_degree(weights) for weights in _weights(document)]
     coefficients = build_patch(document).coefficients
     of_patch = polynomial_degree(coefficients), polynomial_degree(coefficients.swapaxes(0, 1))
-    higher = [name for name, degree in zip(CURVE_NAMES, of_curves, strict=True) if degree > _QUARTIC]
+    higher = [name for name, degree in zip(curve_names(document), of_curves, strict=True) if degree > _QUARTIC]
     degree = max(*of_curves, *of_patch)
     surface = f"the surface is of degree {of_patch[0]} in u and {of_patch[1]} in v"
     note = f"{surface}; above four: {', '.join(higher)}" if higher else surface
@@ -107,23 +111,24 @@ S_IS_U = Condition("s_ip = u_ip (v_ip) on every curve", _all_quartic)
 
 def ends(document: Document) -> Measurement:
     """The weights at both ends are [0 0 1 0 0], (46), (48)."""
-    return _against_the_paper(_weights(document)[:, [0, -1]], [[0, 0, 1, 0, 0]] * 2, "weight")
+    return _against_the_paper(document, _weights(document), [[0, 0, 1, 0, 0]] * 2, "weight")
 
 
 def tangents(document: Document) -> Measurement:
     """The first derivatives of the weights at both ends are [0 -0.5 0 0.5 0], (51), (53)."""
     first = bernstein.derivative(_weights(document), 1)
-    return _against_the_paper(first[:, [0, -1]], [[0, -0.5, 0, 0.5, 0]] * 2, "first derivative")
+    return _against_the_paper(document, first, [[0, -0.5, 0, 0.5, 0]] * 2, "first derivative")
 
 
 def curvatures(document: Document) -> Measurement:
     """The second derivatives of the weights are [0 0 2 -4 2] at the start and [2 -4 2 0 0] at the end, (55), (57)."""
     second = bernstein.derivative(bernstein.derivative(_weights(document), 1), 1)
-    return _against_the_paper(second[:, [0, -1]], [[0, 0, 2, -4, 2], [2, -4, 2, 0, 0]], "second derivative")
+    return _against_the_paper(document, second, [[0, 0, 2, -4, 2], [2, -4, 2, 0, 0]], "second derivative")
 
 
-def _against_the_paper(found: Array, paper: list[list[float]], of_what: str) -> Measurement:
-    """Compare the rows at both ends of the ten curves, (10, 2, 5), with the paper's, (2, 5)."""
+def _against_the_paper(document: Document, weights: Array, paper: list[list[float]], of_what: str) -> Measurement:
+    """Compare the rows at both ends of the ten curves' weights, (10, n, 5), with the paper's, (2, 5)."""
+    found = weights[:, [0, -1]]
     difference = np.abs(found - np.array(paper))
     curve = int(difference.max(axis=(1, 2)).argmax())
     start, end = (_row(row) for row in found[curve])
@@ -132,7 +137,7 @@ def _against_the_paper(found: Array, paper: list[list[float]], of_what: str) -> 
         value=deviation,
         what=f"largest difference of a {of_what} from the paper's",
         holds=deviation <= ROUNDING * largest(found),
-        note=f"{CURVE_NAMES[curve]} has {start} at 0 and {end} at 1",
+        note=f"{curve_names(document)[curve]} has {start} at 0 and {end} at 1",
     )
 
 
@@ -142,10 +147,10 @@ def _row(row: Array) -> str:
 
 
 def _knots(document: Document) -> Array:
-    """Return the knots of the ten curves, (10, 4)."""
+    """Return the knots of all curves, (k, 4)."""
     return knot_array(document.row_knots + document.column_knots)
 
 
 def _weights(document: Document) -> Array:
-    """Return the weights of the ten curves as the formulation computes them, (10, 7, 5)."""
+    """Return the weights of all curves as the formulation computes them, (k, 7, 5)."""
     return weight_coefficients(_knots(document), kernel_decimals=document.formulation.kernel_decimals)

@@ -60,10 +60,12 @@ def name_centres(
     (8, 2) float64, in pixels
     """
     places = to_pixels(named_places(curve, plane, to_pixels))
-    points, middle = places[:5], to_pixels(plane.drawn(curve.at(SAMPLES))).mean(axis=0)
-    outward = points - (points[[0, 0, 1, 2, 3]] + points[[1, 2, 3, 4, 4]]) / 2
+    count = len(curve.points)
+    points, middle = places[:count], to_pixels(plane.drawn(curve.at(SAMPLES))).mean(axis=0)
+    ends = np.pad(points, ((1, 1), (0, 0)), mode="edge")
+    outward = points - (ends[:-2] + ends[2:]) / 2
     beyond = [curve.parabola(p, np.linspace(*curve.auxiliary[p], _DENSE)) for p in range(3)]
     lines = to_pixels(np.concatenate([seen_points(curve, plane), plane.drawn(np.concatenate(beyond))]))
     obstacles = np.concatenate([lines, np.repeat(points, _DISC, axis=0)])
-    wanted = np.concatenate([outward, places[5:] - middle])
+    wanted = np.concatenate([outward, places[count:] - middle])
     return place_labels(places, sizes, wanted, obstacles, gap=gap, box=box)

@@ -12,8 +12,9 @@ from qovr_core.document import Document
 from qovr_core.edits import set_point, set_values, value_at
 from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.geometry import bernstein
+from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import KnotPlace
-from qovr_core.geometry.patch import PATCH_DEGREE, Edge, Patch
+from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 from qovr_core.laboratory.falloff import Falloff, falloff
 from qovr_core.laboratory.levels import area_above
 from qovr_core.laboratory.still_lines import still_lines

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.edits import set_all_knots, set_points
 from qovr_core.geometry.knots import Knots
 from qovr_core.laboratory.measurement import Condition, Measurement
@@ -18,8 +18,8 @@ _POSITION, _TANGENT, _CURVATURE = 0, 1, 2
 SAME_CROSSING = 1e-12
 """Knots that meet 1 - r_ip = u_ip to this are meant to: 1 - 0.3 is not 0.7 to the last bit."""
 
-_EVEN = tuple(Knots(r=1 - u, s=u, u=u, t=1 - u) for u in (0.4, 0.45, 0.5, 0.55, 0.6))
-"""Knots that cross a joint alike, different from curve to curve."""
+_EVEN_MIDDLES = (0.4, 0.6)
+"""u_ip of the first and the last of curves that cross a joint alike and are different from each other."""
 
 
 def c0(document: Document) -> Measurement:
@@ -55,14 +55,19 @@ def _is_even(knots: Knots) -> bool:
 
 def crossing_examples(document: Document) -> tuple[Document, ...]:
     """Return the document with knots that meet the condition of C1, thrice, and with knots that miss either half."""
-    one = (_EVEN[1],) * NET_SIZE
+    rows, columns = _even(len(document.row_knots)), _even(len(document.column_knots))
     return (
         set_all_knots(document, Knots()),
-        replace(document, row_knots=one, column_knots=_EVEN),
-        replace(document, row_knots=_EVEN, column_knots=one),
-        replace(document, row_knots=_EVEN, column_knots=_EVEN),
+        replace(document, row_knots=(rows[1],) * len(rows), column_knots=columns),
+        replace(document, row_knots=rows, column_knots=(columns[1],) * len(columns)),
+        replace(document, row_knots=rows, column_knots=columns),
         set_all_knots(document, Knots(r=0.4, t=0.4)),
     )
+
+
+def _even(count: int) -> tuple[Knots, ...]:
+    """Return knots of so many curves that cross a joint alike, different from curve to curve."""
+    return tuple(Knots(r=1 - u, s=u, u=u, t=1 - u) for u in np.linspace(*_EVEN_MIDDLES, count).tolist())
 
 
 KNOTS_CROSS_ALIKE = Condition(
@@ -101,8 +106,8 @@ def _is_smooth(document: Document) -> bool:
 
 def _affine_net(net: Array) -> Array:
     """Return the net a + b i + c j nearest to a net."""
-    i, j = np.mgrid[:NET_SIZE, :NET_SIZE]
-    basis = np.stack([np.ones(NET_SIZE**2), i.ravel(), j.ravel()], axis=1)
+    i, j = np.indices(net.shape[:2])
+    basis = np.stack([np.ones(i.size), i.ravel(), j.ravel()], axis=1)
     fitted, *_ = np.linalg.lstsq(basis, net.reshape(-1, 3), rcond=None)
     affine: Array = (basis @ fitted).reshape(net.shape)
     return affine

@@ -9,14 +9,15 @@ import numpy as np
 
 from qovr_core.arrays import Array, Flags, Indices
 from qovr_core.construction import build_patch
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.edits import set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import align, bounding_box
+from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import Knots, knot_array
-from qovr_core.geometry.patch import PATCH_DEGREE, Edge
+from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
-from qovr_core.laboratory.curve_claims import CURVE_NAMES
+from qovr_core.laboratory.curve_claims import curve_names
 from qovr_core.laboratory.measurement import Measurement
 from qovr_core.laboratory.trials import SAMPLES
 
@@ -33,8 +34,8 @@ class EdgeMotion:
 
     Parameters
     ----------
-    parts : (80, 4) largest motion of the edges u=0, u=1, v=0, v=1, of the size of what they bound
-    keeps : (80,) whether all four keep their place to rounding
+    parts : (k, 4) largest motion of the edges u=0, u=1, v=0, v=1, of the size of what they bound
+    keeps : (k,) whether all four keep their place to rounding
     corners : the largest motion of a corner, likewise
     """
 
@@ -45,16 +46,18 @@ class EdgeMotion:
 
 @dataclass(frozen=True, eq=False)
 class KnotMoves:
-    """What the 80 moves of single knots do to a surface, by move.
+    """What the moves of single knots do to a surface, by move: two of each knot, 80 of ten curves.
 
     Parameters
     ----------
-    curve : (80,) number of the curve whose knot moves, as in ``CURVE_NAMES``
+    names : the names of the ten curves
+    curve : (80,) which of them the knot belongs to
     has_effect : (80,) whether the surface moves at all
     box_keeps : (80,) whether the box of the raw samples is the same as before
     raw, transformed : how the edges move before and after T, which every move computes anew
     """
 
+    names: tuple[str, ...]
     curve: Indices
     has_effect: Flags
     box_keeps: Flags
@@ -94,7 +97,7 @@ def edges_transformed(document: Document) -> Measurement:
 
 def box_examples(document: Document) -> tuple[Document, ...]:
     """Return two saddles over a rectangle, with the document's knots and with 0.5: they meet their box on the edges."""
-    i, j = (np.mgrid[:NET_SIZE, :NET_SIZE] - 2) / 2
+    i, j = np.meshgrid(*(np.linspace(-1, 1, count) for count in document.control_points.shape[:2]), indexing="ij")
     box = bounding_box(document.control_points)
     extent = np.where(box[:, 1] > box[:, 0], box[:, 1] - box[:, 0], 1.0)
     net = box.mean(axis=1) + extent / 2 * np.stack([j, i, j * j - i * i], axis=-1)
@@ -107,7 +110,7 @@ def _who_moves(moves: KnotMoves) -> str:
     texts = []
     for number, edge in enumerate(Edge):
         moved = moves.raw.parts[:, number] > ROUNDING
-        curves = [CURVE_NAMES[k] for k in np.unique(moves.curve[moved])]
+        curves = [moves.names[k] for k in np.unique(moves.curve[moved])]
         texts.append(f"{edge} moves under {', '.join(curves)}" if curves else f"{edge} keeps")
     return "; ".join(texts)
 
@@ -120,14 +123,14 @@ def _by_curve(moves: KnotMoves, counted: Flags, keeps: Flags) -> dict[str, bool]
     """Return whether the counted moves of each curve's knots keep the edges; curves without any are left out."""
     return {
         name: bool(keeps[counted & (moves.curve == k)].all())
-        for k, name in enumerate(CURVE_NAMES)
+        for k, name in enumerate(moves.names)
         if (counted & (moves.curve == k)).any()
     }
 
 
 @lru_cache(maxsize=_REMEMBERED)
 def knot_moves(document: Document) -> KnotMoves:
-    """Move each of the 40 knots up and down, and compare surfaces, edges and boxes.
+    """Move each knot up and down, and compare surfaces, edges and boxes.
 
     Raises
     ------
@@ -136,7 +139,7 @@ def knot_moves(document: Document) -> KnotMoves:
     curve, knots = _moved_knots(document)
     net = document.control_points
     before = build_patch(document).coefficients
-    moved = document.formulation.build(net, knots[:, :NET_SIZE], knots[:, NET_SIZE:])
+    moved = document.formulation.build(net, *np.split(knots, [len(document.row_knots)], axis=1))
     patches = np.concatenate([before[None], moved])
     noise = ROUNDING * largest(patches)
     boxes = _sampled_boxes(patches)
@@ -146,6 +149,7 @@ def knot_moves(document: Document) -> KnotMoves:
     aligned = edges * scale[:, None, None] + shift[:, None, None]
     aligned_noise = ROUNDING * (largest(scale * np.abs(boxes).max(axis=-1)) + largest(shift))
     return KnotMoves(
+        names=curve_names(document),
         curve=curve,
         has_effect=np.abs(moved - before).max(axis=(1, 2, 3)) > noise,
         box_keeps=np.abs(boxes[1:] - boxes[0]).max(axis=(1, 2)) <= noise,
@@ -155,7 +159,7 @@ def knot_moves(document: Document) -> KnotMoves:
 
 
 def _moved_knots(document: Document) -> tuple[Indices, Array]:
-    """Return, for each move, the number of the curve and the knots of all curves, (80,) and (80, 10, 4)."""
+    """Return, for each move, the number of the curve and the knots of all curves, (k,) and (k, curves, 4)."""
     knots = knot_array(document.row_knots + document.column_knots)
     up = np.where(knots + KNOT_STEP < 1, knots + KNOT_STEP, (knots + 1) / 2)
     down = np.where(knots - KNOT_STEP > 0, knots - KNOT_STEP, knots / 2)
@@ -177,7 +181,7 @@ def _sampled_boxes(patches: Array) -> Array:
 
 def _edge_points(patches: Array) -> Array:
     """Return samples of the four edges of patches (k, 7, 7, 3), in the order of ``Edge``, as (k, 4, n, 3)."""
-    edges = np.stack([patches[:, 0], patches[:, -1], patches[:, :, 0], patches[:, :, -1]], axis=1)
+    edges = np.stack([patches[:, *edge.position] for edge in Edge], axis=1)
     points: Array = bernstein.basis(PATCH_DEGREE, np.linspace(0, 1, SAMPLES[0])) @ edges
     return points
 

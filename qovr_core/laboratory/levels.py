@@ -1,18 +1,17 @@
 """Where a function on a grid over the unit square exceeds a level, and the line on which it has that level.
 
-Between the samples the function is taken as linear on the two triangles of every cell, so that area and line agree.
+Both are contourpy's, whose filled regions are bounded by its lines, so that area and line agree.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from itertools import pairwise
+from math import fsum
+from typing import Any
 
 import numpy as np
 
-from qovr_core.arrays import Array, Flags, Indices, read_only
-
-_CORNERS = np.array([[[0, 0], [1, 1]], [[1, 0], [1, 0]], [[0, 1], [0, 1]]])
-"""Steps along u and v from a cell's first sample to the three corners of its two triangles, [corner, triangle]."""
+from qovr_core.arrays import Array, read_only
 
 
 def area_above(values: Array, level: float) -> float:
@@ -22,11 +21,9 @@ def area_above(values: Array, level: float) -> float:
     ----------
     values : (n, m) on a regular grid over the unit square
     """
-    cut = _cut(values, level)
-    # The line cuts a triangle similar to the whole one off the corner that is alone.
-    similar = cut.parts.prod(axis=0)
-    area = cut.whole + np.where(cut.is_above, similar, 1 - similar).sum()
-    return float(area / cut.count)
+    polygons, offsets = _contours(values).filled(level, np.inf)
+    parts = zip(polygons, offsets, strict=True)
+    return sum(_enclosed(points[a:b]) for points, starts in parts for a, b in pairwise(starts.tolist()))
 
 
 def level_line(values: Array, level: float) -> Array:
@@ -40,55 +37,20 @@ def level_line(values: Array, level: float) -> Array:
     -------
     (k, 2, 2) float64, read-only: for each segment its two ends, for each end u and v
     """
-    cut = _cut(values, level)
-    corners = (cut.cells + _CORNERS[:, cut.families]) / (np.array(values.shape) - 1)
-    every = np.arange(cut.alone.size)
-    ends = [
-        corners[cut.alone, every] + part[:, None] * (corners[other, every] - corners[cut.alone, every])
-        for other, part in zip(_others(cut.alone), cut.parts, strict=True)
-    ]
-    return read_only(np.stack(ends, axis=1))
+    lines = _contours(values).lines(level)
+    segments = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
+    return read_only(np.concatenate([np.empty((0, 2, 2)), *segments])[..., ::-1])  # theirs are x = v and y = u
 
 
-@dataclass(frozen=True)
-class _Cut:
-    """The triangles through which a level runs. One corner of each is alone on its side of the level.
+def _contours(values: Array) -> Any:
+    """Return a contour generator whose lines are arrays (k, 2), and whose regions arrays with where rings begin."""
+    from contourpy import FillType, LineType, contour_generator
 
-    ``families`` (k,) and ``cells`` (k, 2) say which triangles of which cells they are, ``alone`` (k,) which corner is
-    alone and ``is_above`` (k,) whether above the level; the line meets the two edges from there after the ``parts``
-    (2, k) of their lengths. ``whole`` of all ``count`` triangles lie above the level altogether.
-    """
-
-    families: Indices
-    cells: Indices
-    alone: Indices
-    is_above: Flags
-    parts: Array
-    whole: int
-    count: int
+    u, v = (np.linspace(0.0, 1.0, count) for count in values.shape)
+    return contour_generator(v, u, values, line_type=LineType.Separate, fill_type=FillType.OuterOffset)
 
 
-def _cut(values: Array, level: float) -> _Cut:
-    triangles = _triangles(values - level)
-    above = np.count_nonzero(triangles > 0, axis=0)
-    families, iu, iv = np.nonzero((above == 1) | (above == 2))
-    excess = triangles[:, families, iu, iv]
-    is_above = above[families, iu, iv] == 1
-    alone = ((excess > 0) == is_above).argmax(axis=0)
-    every = np.arange(alone.size)
-    lone = excess[alone, every]
-    parts = lone / (lone - excess[_others(alone), every])
-    whole = int(np.count_nonzero(above == 3))
-    return _Cut(families, np.stack([iu, iv], axis=-1), alone, is_above, parts, whole, above.size)
-
-
-def _others(corner: Indices) -> Indices:
-    """Return the two other corners of each triangle, (2, k)."""
-    others: Indices = (corner + np.array([[1], [2]])) % 3
-    return others
-
-
-def _triangles(values: Array) -> Array:
-    """Return the values at the three corners of both triangles of every cell, (3, 2, n - 1, m - 1)."""
-    n, m = np.array(values.shape) - 1
-    return np.stack([[values[i : i + n, j : j + m] for i, j in corner] for corner in _CORNERS.tolist()])
+def _enclosed(ring: Array) -> float:
+    """Return the area within a closed ring of points (k, 2), negative for a hole."""
+    x, y = ring.T
+    return fsum((np.diff(y) * (x[1:] + x[:-1])).tolist()) / 2

@@ -9,7 +9,7 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.construction import build_patch
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.errors import EvaluationError
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.patch import PATCH_DEGREE
@@ -55,7 +55,7 @@ class Joint:
     Parameters
     ----------
     across : the parameter that crosses the joint
-    first, second : documents on the larger net's first and last five columns (``u``) or rows (``v``); the curves
+    first, second : documents on the larger net's first and last columns (``u``) or rows (``v``); the curves
         they share keep their knots
     """
 
@@ -135,4 +135,4 @@ def _continued(net: Array, continuation: Continuation) -> Array:
         rng = np.random.default_rng(CONTINUATION_SEED)
         extent = np.ptp(net, axis=(0, 1)).max() or 1.0
         beyond = beyond + _DRAWN * extent * rng.uniform(-1, 1, beyond.shape)
-    return np.concatenate([net[_SHIFT:NET_SIZE], beyond])
+    return np.concatenate([net[_SHIFT:], beyond])

@@ -10,15 +10,18 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import Document
-from qovr_core.edits import CURVE_LETTERS, PARAMETERS, knots_of
+from qovr_core.edits import knots_of
 from qovr_core.errors import EvaluationError
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels
-from qovr_core.geometry.knots import Direction, Knots
-from qovr_core.geometry.weights import CURVE_DEGREE, transformations, weight_coefficients
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, Knots
+from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, transformations, weight_coefficients
 
 SAMPLES = read_only(np.linspace(0.0, 1.0, 161))
 """Parameters so close together that a line through their points is seen as the curve; 0, 1/2 and 1 among them."""
+
+PARABOLA_LETTERS = tuple(KNOT_NAMES[k] for k in KERNEL_KNOTS)
+"""The letters r, s, t of the parameters of Q_0, Q_1, Q_2, of their transformations (24)-(26) and of their knots."""
 
 
 @dataclass(frozen=True)
@@ -69,12 +72,12 @@ class OneCurve:
     @property
     def name(self) -> str:
         """What messages call the curve, as ``C_4``."""
-        return f"{CURVE_LETTERS[self.direction]}_{self.number}"
+        return self.direction.curve_name(self.number)
 
     @property
     def parameter(self) -> str:
         """The letter of its parameter, u or v."""
-        return PARAMETERS[self.direction]
+        return self.direction.parameter
 
     def at(self, u: npt.ArrayLike) -> Array:
         """Return the points of the curve at parameters (n,), as (n, 3)."""

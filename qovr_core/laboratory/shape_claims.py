@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.construction import build_patch, document_arrays
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.edits import set_all_knots, set_points
 from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import bounding_box
+from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import Knots
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import ROUNDING, largest, part_of
@@ -37,26 +39,25 @@ _REFINED = 15
 
 _GRID = np.linspace(0, 1, 21)
 
-_CENTRE = NET_SIZE**2 // 2
-"""The number of P_2,2 among the points."""
-
 
 def local(document: Document) -> Measurement:
     """The displacement falls off exponentially with the distance from the moved point (abstract, 5.3)."""
     moved = point_displacements(document)
-    misfits = np.array([misfit_of_exponential(displacement) for displacement in moved])
-    worst = int(misfits.argmax())
-    centre = moved[_CENTRE]
+    net_shape = moved.shape[:2]
+    misfits = np.array([misfit_of_exponential(moved[index]) for index in np.ndindex(net_shape)]).reshape(net_shape)
+    worst = np.unravel_index(misfits.argmax(), net_shape)
+    middle = tuple(count // 2 for count in net_shape)
+    centre = moved[middle]
     share = float((centre > _NOTICED * centre.max()).mean())
-    on_edges = max(centre[0].max(), centre[-1].max(), centre[:, 0].max(), centre[:, -1].max())
+    on_edges = max(centre[edge.position].max() for edge in Edge)
     part_on_edges = part_of(float(on_edges), float(centre.max()))
     edges = f"moves its edges by up to {part_on_edges:.2g} of that" if part_on_edges > ROUNDING else "keeps its edges"
     return Measurement(
-        value=float(misfits[worst]),
+        value=float(misfits.max()),
         what="misfit of the best exponential as part of the largest displacement",
         holds=bool(misfits[worst] <= FITS),
-        note=f"worst for P_{worst // NET_SIZE},{worst % NET_SIZE}; moving P_2,2 moves {share:.0%} of the surface by "
-        f"more than {_NOTICED:.0%} of the largest displacement and {edges}",
+        note=f"worst for {_point_name(worst)}; moving {_point_name(middle)} moves {share:.0%} of the surface "
+        f"by more than {_NOTICED:.0%} of the largest displacement and {edges}",
     )
 
 
@@ -65,17 +66,22 @@ def point_displacements(document: Document) -> Array:
 
     Returns
     -------
-    (25, n, n) lengths, points i-major, indexed [iu, iv] on 21 x 21 parameters from 0 to 1
+    (5, 5, 21, 21) lengths, indexed [i, j, iu, iv] on 21 x 21 parameters from 0 to 1
     """
     net = document.control_points
     step = POINT_STEP * (document.net_size or 1.0) / np.sqrt(3)
-    nets = np.repeat(net[None], NET_SIZE**2, axis=0)
-    nets[range(NET_SIZE**2), *np.divmod(np.arange(NET_SIZE**2), NET_SIZE)] += step
+    i, j = np.indices(net.shape[:2]).reshape(2, -1)
+    nets = np.repeat(net[None], len(i), axis=0)
+    nets[np.arange(len(i)), i, j] += step
     _, rows, columns = document_arrays(document)
     motion = document.formulation.build(nets, rows, columns) - build_patch(document).coefficients
     basis = bernstein.basis(PATCH_DEGREE, _GRID)
     lengths: Array = np.linalg.norm(np.einsum("ua,vb,kabd->kuvd", basis, basis, motion, optimize=True), axis=-1)
-    return lengths
+    return lengths.reshape(*net.shape[:2], *lengths.shape[1:])
+
+
+def _point_name(index: Sequence[int | np.intp]) -> str:
+    return "P_{},{}".format(*index)
 
 
 def misfit_of_exponential(displacement: Array) -> float:
@@ -169,8 +175,8 @@ def symmetry_examples(document: Document) -> tuple[Document, ...]:
     net = document.control_points
     mirrored, twisted = net.copy(), net.copy()
     mirrored[..., 2] = (net[..., 2] + net[:, ::-1, 2]) / 2
-    i, j = np.mgrid[:NET_SIZE, :NET_SIZE] - 2
-    twisted[..., 2] += (np.ptp(net[..., 2]) or 1.0) * i * j / 4
+    y, x = (np.linspace(-1.0, 1.0, count) for count in net.shape[:2])
+    twisted[..., 2] += (np.ptp(net[..., 2]) or 1.0) * y[:, None] * x
     return set_points(document, mirrored), set_points(document, twisted)
 
 

@@ -331,10 +331,10 @@ def test_the_influence_of_a_point_is_a_product_of_weights_where_knots_are_equal(
     document = with_all(random_document(9), 0.4, 0.5, 0.6, 0.3)
     weights = bernstein.basis(6, np.linspace(0, 1, 21)) @ weight_coefficients([0.4, 0.5, 0.6, 0.3])
     step = shape_claims.POINT_STEP * document.net_size
-    expected = np.abs(np.einsum("uj,vi->ijuv", weights, weights)).reshape(25, 21, 21) * step
+    expected = np.abs(np.einsum("uj,vi->ijuv", weights, weights)) * step
     moved = shape_claims.point_displacements(document)
     assert np.allclose(moved, expected, atol=1e-9)
-    centre = moved[12]
+    centre = moved[2, 2]
     assert max(centre[0].max(), centre[-1].max(), centre[:, 0].max(), centre[:, -1].max()) <= 1e-12
 
 

@@ -50,7 +50,7 @@ def test_one_bad_value_sets_nothing_and_names_its_place(place, value, words):
     ("curves", "directions", "count"), [(False, False, 1), (True, False, 5), (False, True, 2), (True, True, 10)]
 )
 def test_linked_places(curves, directions, count):
-    places = linked_places(S_OF_C2, curves=curves, directions=directions)
+    places = linked_places(preset("fig5").document, S_OF_C2, curves=curves, directions=directions)
     assert len(set(places)) == count
     assert S_OF_C2 in places
     assert {place.name for place in places} == {"s"}

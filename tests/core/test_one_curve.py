@@ -9,6 +9,8 @@ from hypothesis import strategies as st
 
 from qovr_core import FORMULATIONS, Document, EvaluationError, Formulation, Knots, curve_network
 from qovr_core.edits import Direction
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory.one_curve import OneCurve, curve_of
 from qovr_core.laboratory.planes import View, plane_of
 from support.algorithm1 import curve as algorithm1_curve
@@ -19,8 +21,10 @@ ALL_CURVES = [(direction, number) for direction in Direction for number in range
 
 
 def scale(curve):
-    """Rounding is a part of the largest term that is summed."""
-    return 1 + np.abs(curve._parabolas).max() * np.abs(curve.transformed(U)).max() ** 2
+    """Rounding is a part of the largest term that is summed: a parabola's coefficient by a power of its parameter."""
+    at = np.array([-1.0, 0.0, 1.0])
+    coefficients = [np.linalg.solve(np.vander(at), curve.parabola(p, at)) for p in range(3)]
+    return 1 + np.abs(coefficients).max() * np.abs(curve.transformed(U)).max() ** 2
 
 
 @given(documents(), st.sampled_from(ALL_CURVES))
@@ -29,7 +33,8 @@ def test_it_is_the_curve_of_the_network_and_the_blend_of_its_parabolas(document,
     network = curve_network(document)
     family = network.rows if which[0] is Direction.ROWS else network.columns
     tolerance = 1e-12 * scale(curve)
-    assert curve._coefficients == pytest.approx(family[which[1]], abs=tolerance)
+    of_network = bernstein.basis(CURVE_DEGREE, U) @ family[which[1]]
+    assert curve.at(U) == pytest.approx(of_network, abs=tolerance)
     r_s_t, w = curve.transformed(U), curve.blends(U)
     blend = sum(w[:, [p]] * curve.parabola(p, r_s_t[:, p]) for p in range(3))
     assert curve.at(U) == pytest.approx(blend, abs=tolerance)

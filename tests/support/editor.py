@@ -1,10 +1,13 @@
 """The editor's window as a user meets it: things are found by their names and moved by real events."""
 
+from pathlib import Path
+
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDialog, QLabel, QLineEdit, QWidget
 
+from qovr_app.state.intents import Saved
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, value_at
 
 ROW_FIELDS = [KnotPlace(Direction.ROWS, k, name) for k in range(5) for name in "rsut"]
@@ -42,7 +45,23 @@ class Editor:
 
     @property
     def document(self):
-        return self.window.session.document
+        return self.window.store.state.document
+
+    def dispatch(self, intent):
+        """Ask for something as any part of the window would."""
+        self.window.store.dispatch(intent)
+        self.settle()
+
+    def mark_saved(self):
+        """Have the document count as saved, so that nothing is asked."""
+        state = self.window.store.state
+        self.window.store.dispatch(Saved(Path(state.file.title), state.file.title, state.history.serial))
+
+    def on_evaluation(self, call):
+        """Call with every surface that is shown from now on."""
+        self.window.store.subscribe(
+            lambda before, after: call(after.evaluation) if after.differs(before, "evaluation") else None
+        )
 
     def settle(self):
         for _ in range(3):
@@ -144,7 +163,7 @@ class Editor:
         if self.is_discarded:
             return
         self.is_discarded = True
-        self.window.session.history.setClean()
+        self.mark_saved()
         self.window.close()
         self.window.deleteLater()
         QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)

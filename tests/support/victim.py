@@ -4,6 +4,7 @@ It prints a line ``set JSON`` for every document right before it is set, and ``k
 be on the disk.
 """
 
+import json
 import random
 import sys
 from pathlib import Path
@@ -11,12 +12,19 @@ from pathlib import Path
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
+from qovr_app.dialogs.export_dialog import ExportDialog
 from qovr_app.main import create_window
 from qovr_app.window.application import make_application
-from qovr_app.window.desk import ExportDialog
+from qovr_app.window.recovery import recovery_folder
 from qovr_core.edits import Direction, KnotPlace, linked_places, set_values
 from qovr_core.files.qovr_document import document_to_json
 from support.editor import Editor, name_of, wait_until
+
+
+def lies_in_recovery(document):
+    """Return whether the recovery folder holds a document as unsaved."""
+    texts = (file.read_text(encoding="utf-8") for file in recovery_folder().glob("*.unsaved.json"))
+    return any(json.loads(text)["document"] == json.loads(document_to_json(document)) for text in texts)
 
 
 def main():
@@ -28,19 +36,17 @@ def main():
     while True:
         place = KnotPlace(Direction.ROWS, random.randrange(5), random.choice("rsut"))
         value = f"{random.uniform(0.1, 0.9):.6f}"
-        linked = linked_places(place, curves=True, directions=False)
+        linked = linked_places(editor.document, place, curves=True, directions=False)
         following = set_values(editor.document, dict.fromkeys(linked, float(value)))
         print("set", document_to_json(following).replace("\n", " "), flush=True)
         editor.type_into(name_of(place), value)
         assert editor.document == following
         if random.random() < 0.5:
             QTest.qWait(1)
-            written = []
-            editor.window.worker.in_thread(lambda: None, on_done=written.append)
-            wait_until(lambda written=written: written)
+            wait_until(lambda document=following: lies_in_recovery(document))
             print("kept", flush=True)
         if random.random() < 0.3:
-            editor.window.desk._save_to(folder / "kept.qovr")
+            editor.trigger("save")
         if random.random() < 0.3:
             dialog = ExportDialog(editor.document, folder / "kept", editor.window.worker, editor.window)
             dialog._choose(random.choice([".xlsx", ".npz", ".csv"]))

@@ -13,9 +13,9 @@ from qovr_app.view3d.scene.frame import Frame, frame_around
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
-from qovr_core.edits import KnotPlace
 from qovr_core.evaluation import parameters
 from qovr_core.fields import Field, Need, field_values
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.layer import Layer
 
 CURVE_POINTS = 49

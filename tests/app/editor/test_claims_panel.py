@@ -1,13 +1,12 @@
 """The panel of claims: current for the document, in nobody's way, and a door to the counterexamples."""
 
-from dataclasses import replace
-
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowser
 
 from qovr_app.laboratory.claims_panel import ClaimsPanel
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
+from qovr_app.state.intents import PointDragged
 from qovr_app.work.quiet import QUIET_MILLISECONDS
 from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Formulation
@@ -67,16 +66,14 @@ def shown(lab):
 
 def edit(lab, value):
     """Move a point, as a drag in the view does it."""
-    net = lab.document.control_points.copy()
-    net[2, 2, 2] = value
-    lab.window.session.apply("Move P 2,2", replace(lab.document, control_points=net))
+    lab.window.store.dispatch(PointDragged(2, 2, (2.0, 2.0, value), gesture=0))
 
 
 def turns_until_shown(lab):
     """Count the turns of the event loop from now until the window has the document's surface."""
     for turn in range(1, 20):
         QApplication.processEvents()
-        if lab.window.controller.state.evaluation.document == lab.document:
+        if lab.window.store.shown.evaluation.document == lab.document:
             return turn
     raise AssertionError("the edit is not shown")
 

@@ -84,7 +84,7 @@ def test_pinning_shows_the_distance_from_what_was_pinned(editor):
     assert colouring(editor).limits[1] < 1e-9
     editor.choose("surface.formulation", "interpolating")
     assert colouring(editor).limits[1] > 0.01
-    editor.window.session.history.setClean()  # or it would ask about what is unsaved
+    editor.mark_saved()  # or it would ask about what is unsaved
     editor.trigger("preset_fig8")
     assert colouring(editor).title == "Distance from fig5, published"
     editor.trigger("unpin_reference")

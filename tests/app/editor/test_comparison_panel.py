@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QTableWidget
 
 from qovr_app.laboratory.comparison_panel import ComparisonPanel
+from qovr_app.state.intents import FormulationChosen
 from qovr_app.work import quiet
 from qovr_core import Formulation
 from qovr_core.laboratory.comparison import compare, compared_names
@@ -23,7 +24,7 @@ def editor(make_editor):
 
 def compared(make_editor):
     made = make_editor()
-    made.window.controller.set_formulation(Formulation.INTERPOLATING)
+    made.dispatch(FormulationChosen(str(Formulation.INTERPOLATING)))
     made.trigger("laboratory_comparison")
     return made
 
@@ -133,12 +134,12 @@ def test_the_distance_map_colours_both_and_gives_the_colours_back(editor):
     editor.trigger("colour_by_mean")
     editor.choose("laboratory.comparison.placement", "beside QOVR")
     switch = editor.find("laboratory.comparison.distance_map", QAbstractButton)
-    switch.click()
+    editor.click(switch.objectName())
     assert view.settings.colour_by == "distance"
     pictures = [view.picture(k) for k in (0, 1)]
     assert [each.colouring.title for each in pictures] == ["Distance from B-spline", "Distance from QOVR"]
     assert pictures[0].colouring.limits == pictures[1].colouring.limits
-    switch.click()
+    editor.click(switch.objectName())
     assert view.settings.colour_by == "mean"
     editor.trigger("colour_by_distance")
     assert switch.isChecked()
@@ -148,7 +149,7 @@ def test_the_distance_map_colours_both_and_gives_the_colours_back(editor):
 
 @pytest.mark.parametrize("leave", ["nowhere", "close"])
 def test_the_distance_map_ends_with_the_comparison(editor, leave):
-    editor.find("laboratory.comparison.distance_map", QAbstractButton).click()
+    editor.click("laboratory.comparison.distance_map")
     assert editor.window.view.settings.colour_by == "distance"
     if leave == "close":
         editor.click("laboratory.close")

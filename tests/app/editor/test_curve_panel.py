@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, Q
 
 from qovr_app.laboratory.curve_drawings import Drawing
 from qovr_app.state.display import ThemeName
+from qovr_app.state.intents import FormulationChosen
 from qovr_app.style.palette import set_theme
 from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_core import FileError, Formulation, curve_network
@@ -29,8 +30,9 @@ _BETWEEN_MOVES = 20
 def panel(make_editor):
     editor = make_editor("paper:fig6c")
     editor.trigger("laboratory_curve")
-    editor.window.workspace.laboratory.panels["curve"].editor = editor
-    yield editor.window.workspace.laboratory.panels["curve"]
+    panel = editor.find("laboratory.curve")
+    panel.editor = editor
+    yield panel
     set_theme(ThemeName.LIGHT)
 
 
@@ -87,7 +89,7 @@ def test_it_shows_the_curve_of_the_knot_in_focus(panel):
     editor.choose("laboratory.curve.choice", "C₀(u)")
     assert_shows(panel, editor.document, Direction.ROWS, 0)
     assert "no effect on the published surface" in caption(panel, "geometry")
-    editor.window.controller.set_formulation(Formulation.INTERPOLATING)
+    editor.dispatch(FormulationChosen(str(Formulation.INTERPOLATING)))
     editor.settle()
     assert "no effect" not in caption(panel, "geometry")
     assert panel.curve.decimals is None
@@ -127,7 +129,7 @@ def test_a_handle_drags_its_knot_live_and_as_one_step(panel):
     assert 0.4 < knots[0].r < 1
     assert round(knots[0].r, 3) == knots[0].r
     assert knots[0].s == 0.6
-    assert editor.window.session.history.undoText() == "Set r_ip of C_0..C_4"
+    assert editor.window.store.state.history.undo_text == "Set r_ip of C_0..C_4"
     editor.trigger("undo")
     assert editor.document == before
 
@@ -247,10 +249,11 @@ def test_the_curve_is_saved_as_a_figure(panel, home, monkeypatch, kind):
 @pytest.mark.parametrize("drawing", Drawing)
 def test_what_is_saved_can_be_chosen(panel, home, drawing):
     asked = []
-    panel.figure_requested.connect(lambda name, write: asked.append((name, write)))
+    panel.store.answer_with(asked.append)
     panel.editor.find("laboratory.curve.drawing").setCurrentText(drawing)
     panel.editor.click("laboratory.curve.figure")
-    ((name, write),) = asked
+    (request,) = asked
+    name, write = request.name, request.write
     assert name == ("network" if drawing is Drawing.NETWORK else "C_4")
     write(home / "a.svg", FigureOptions(width=120, height=90))
     size = ET.parse(home / "a.svg").getroot().get("viewBox").split()[2:]
@@ -276,7 +279,7 @@ def test_a_window_with_the_panel_open_is_let_go(make_editor, spin):
     editor = make_editor("paper:fig5")
     editor.trigger("laboratory_curve")
     gone = []
-    editor.window.workspace.laboratory.panels["curve"].destroyed.connect(lambda: gone.append(None))
+    editor.find("laboratory.curve").destroyed.connect(lambda: gone.append(None))
     editor.discard()
     spin(lambda: bool(gone))
 

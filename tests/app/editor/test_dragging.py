@@ -43,11 +43,11 @@ def drag(editor):
 
 def test_a_drag_is_one_step_and_the_fields_follow(editor, drag):
     results = []
-    editor.window.controller.evaluation_changed.connect(lambda evaluation, _document: results.append(evaluation))
+    editor.on_evaluation(results.append)
     seen = drag("release")
     assert len(set(seen)) == 6
     assert len(results) >= 6
-    assert editor.window.session.history.count() == 1
+    assert len(editor.window.store.state.history.steps) == 1
     assert editor.action("undo").text() == "&Undo Move P 4,2"
     assert editor.disagreements() == []
     assert editor.field("control_points.P_4_2.z")._is_marked
@@ -65,9 +65,9 @@ def test_escape_puts_the_point_back_and_leaves_no_step(editor, drag):
 
 def test_staged_the_net_follows_and_the_surface_waits(editor, drag):
     editor.trigger("live")
-    before = editor.window.controller.state.evaluation
+    before = editor.window.store.state.evaluation
     drag("release")
-    state = editor.window.controller.state
+    state = editor.window.store.state
     assert state.evaluation is before
     assert state.is_stale
     assert np.array_equal(editor.window.view.picture().scene.document.control_points, editor.document.control_points)

@@ -132,12 +132,12 @@ def test_pending_text_of_one_zone_outlives_a_set_and_an_undo_of_another(editor):
 def test_a_slider_drag_is_one_step_and_the_surface_follows(editor):
     editor.field("column_knots.K_2.s").setFocus()
     results = []
-    editor.window.controller.evaluation_changed.connect(lambda evaluation, _document: results.append(evaluation))
+    editor.on_evaluation(results.append)
     editor.drag_slider("column_knots.slider", [5, 5, 5, 5, 5])
     assert len(results) >= 4
     assert editor.document.column_knots[0].s > 0.55
     assert editor.disagreements() == []
-    assert editor.window.session.history.count() == 1
+    assert len(editor.window.store.state.history.steps) == 1
     editor.trigger("undo")
     assert editor.document == FIG5
 
@@ -146,7 +146,7 @@ def test_keys_on_a_slider_are_one_step_while_they_follow_each_other(editor):
     editor.field("row_knots.C_4.u").setFocus()
     editor.move_slider("row_knots.slider", 12)
     assert editor.document.row_knots[4].u == pytest.approx(0.62)
-    assert editor.window.session.history.count() == 1
+    assert len(editor.window.store.state.history.steps) == 1
 
 
 def test_arrow_keys_step_a_field(editor):
@@ -155,7 +155,7 @@ def test_arrow_keys_step_a_field(editor):
     for key in (Qt.Key.Key_Up, Qt.Key.Key_Up, Qt.Key.Key_PageUp, Qt.Key.Key_Down):
         editor.key(key, widget=field)
     assert editor.document.control_points[2, 2, 2] == 0.61
-    assert editor.window.session.history.count() == 1
+    assert len(editor.window.store.state.history.steps) == 1
     assert editor.action("undo").text() == "&Undo Move P 2,2"
 
 
@@ -182,7 +182,7 @@ def test_undo_to_the_start_gives_the_very_document(make_editor, home):
     editor.type_into("surface.samples_u", "33")
     editor.field("column_knots.K_2.s").setFocus()
     editor.move_slider("column_knots.slider", -7)
-    assert editor.window.session.history.count() == 5
+    assert len(editor.window.store.state.history.steps) == 5
     for _ in range(5):
         editor.trigger("undo")
     assert editor.document == start
@@ -235,7 +235,7 @@ def test_blocks_go_to_a_spreadsheet_and_back_in_full(editor):
     QApplication.clipboard().setText(text)
     editor.key(Qt.Key.Key_V, Qt.KeyboardModifier.ControlModifier, field)
     assert np.array_equal(editor.document.control_points, net.reshape(5, 5, 3))
-    assert editor.window.session.history.count() == 1
+    assert len(editor.window.store.state.history.steps) == 1
     editor.trigger("copy_zone")
     assert QApplication.clipboard().text() == text.replace(",", ".")
 

@@ -191,13 +191,13 @@ def test_settings_are_remembered(make_editor, home):
     first = make_editor(size=(1300, 760))
     first.trigger("style_wireframe")
     first.trigger("show_labels")
-    first.window.workspace.setSizes([500, 800])
-    sizes = first.window.workspace.sizes()
+    first.window.parts.setSizes([500, 800])
+    sizes = first.window.parts.sizes()
     first.window.close()
     second = make_editor(size=(1300, 760))
     assert second.action("style_wireframe").isChecked()
     assert not second.action("show_labels").isChecked()
-    assert second.window.workspace.sizes() == sizes
+    assert second.window.parts.sizes() == sizes
     assert second.action("live").isChecked()
 
 
@@ -240,15 +240,35 @@ def test_what_a_format_cannot_hold_is_said_before_any_work(editor):
 
 
 def test_a_surface_that_overflows_is_no_surface(editor):
+    before = editor.document
     editor.trigger("link_directions")
     editor.type_into("column_knots.K_0.r", "1e-200")
+    assert "no finite coordinates" in editor.message()
+    assert editor.document == before
+    assert not editor.action("undo").isEnabled()
+    field = editor.field("column_knots.K_0.r")
+    assert (field.text(), field.has_own_text) == ("1e-200", True)
+    assert "no finite coordinates" in field.error
+    assert editor.find("surface.export").isEnabled()
+    editor.type_into("column_knots.K_0.r", "0.4")
+    assert editor.message() == ""
+    assert editor.document.row_knots[4].r == 0.4
+
+
+def test_staged_a_surface_that_overflows_is_refused_when_it_is_configured(editor):
+    editor.trigger("live")
+    editor.trigger("link_directions")
+    editor.type_into("column_knots.K_0.r", "1e-200")
+    editor.click("row_knots.set")
+    editor.click("column_knots.set")
     assert editor.document.row_knots[4].r == 1e-200
+    editor.click("surface.configure")
     assert "no finite coordinates" in editor.message()
     assert not editor.find("surface.export").isEnabled()
     assert editor.find("view.stale").isVisible()
     editor.trigger("undo")
+    editor.trigger("undo")
     assert editor.find("surface.export").isEnabled()
-    assert editor.message() == ""
 
 
 def test_choices_of_a_mesh_are_taken_and_checked(editor, home):

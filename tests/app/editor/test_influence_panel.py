@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QTableWidget
 
 from qovr_app.state.display import ColourMap, ThemeName
+from qovr_app.state.intents import FormulationChosen, PointDragged
 from qovr_app.style.colour_maps import colour_table
 from qovr_app.style.palette import set_theme
 from qovr_core import Edge, Formulation, Layer
@@ -78,7 +79,7 @@ def test_it_says_what_to_do_and_then_follows_point_and_knot(lab):
 def test_it_is_live(lab):
     focus(lab, "control_points.P_2_2.z")
     assert numbers(lab)["Edge v = 0"] != "stays"
-    lab.window.controller.set_formulation(Formulation.INTERPOLATING)
+    lab.dispatch(FormulationChosen(str(Formulation.INTERPOLATING)))
     lab.settle()
     assert [numbers(lab)[f"Edge {p} = {end}"] for p in "uv" for end in "01"] == ["stays"] * 4
     assert (numbers(lab)["Corners"], numbers(lab)["Still at u"]) == ("stay", "0, 1")
@@ -92,7 +93,7 @@ def test_it_is_live(lab):
 def test_a_surface_that_is_older_than_the_net_is_not_mixed_with_it(lab):
     lab.trigger("live")
     focus(lab, "control_points.P_2_2.z")
-    lab.window.controller.drag_point(2, 2, [2.0, 2.0, 0.9], gesture=1)
+    lab.dispatch(PointDragged(2, 2, (2.0, 2.0, 0.9), 1))
     lab.settle()
     expected = influence(lab.document, PointMove(2, 2, (0, 0, 0.57)), Layer.TRANSFORMED)
     assert lab.document.control_points[2, 2, 2] == 0.9
@@ -109,7 +110,7 @@ def test_the_surface_is_the_one_in_place_until_another_is_chosen(lab):
     assert numbers(lab)["Largest"] == f"{expected.largest:.4g}"
     lab.type_into("control_points.P_2_2.z", "0.6")
     assert layer.currentText() == "raw"
-    lab.window.controller.set_formulation(Formulation.DOUBLE_SUM)
+    lab.dispatch(FormulationChosen(str(Formulation.DOUBLE_SUM)))
     lab.settle()
     assert layer.currentText() == "transformed"
 
@@ -138,7 +139,7 @@ def test_axis_and_amount_are_chosen_and_the_document_stays(lab):
     lab.type_into(f"{NAME}.amount", "0")
     assert "the amount is 0; expected a number that moves something" in lab.message()
     assert lab.document == before
-    assert not lab.window.session.history.canUndo()
+    assert lab.window.store.state.history.undo_text is None
 
 
 def test_an_amount_that_takes_a_knot_out_of_its_interval_is_refused(lab):
@@ -184,7 +185,7 @@ def test_the_table_s_lines_are_copied_as_shown(lab):
 
 
 def test_the_map_lies_as_the_parameters_do(lab):
-    lab.window.controller.set_formulation(Formulation.INTERPOLATING)
+    lab.dispatch(FormulationChosen(str(Formulation.INTERPOLATING)))
     lab.settle()
     focus(lab, "control_points.P_1_3.z")
     found = influence(lab.document, PointMove(1, 3, (0, 0, 0.57)), Layer.RAW)

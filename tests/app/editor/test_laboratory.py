@@ -3,49 +3,41 @@
 import pytest
 from PySide6.QtWidgets import QAbstractButton, QLabel, QTabBar, QTableWidget
 
-from qovr_app.laboratory import dock as place_module
-from qovr_app.laboratory.dock import PanelEntry
 from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.laboratory.panels import PANELS, PanelRecord
 from qovr_app.state.display import ThemeName
+from qovr_app.state.intents import MessageShown, ValuesEdited
+from qovr_app.state.requests import DocumentAsked
 from qovr_app.style.palette import set_theme
-from qovr_app.style.theme import theme_of
 from qovr_app.window.preferences import Preferences
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.presets import preset
 
 
 class Diary(LaboratoryPanel):
-    """Writes down what it is told."""
+    """Writes down what it is shown."""
 
-    def __init__(self):
-        super().__init__()
-        self.documents, self.foci, self.themes = [], [], []
+    def __init__(self, store, worker):
+        super().__init__(store, worker)
+        self.evaluations, self.foci, self.themes = [], [], []
 
-    def show_document(self, document):
+    def show_state(self, before, after):
         assert self.isVisible()
-        self.documents.append(document)
-
-    def show_focus(self, focus):
-        self.foci.append(focus)
-
-    def show_theme(self, theme):
-        self.themes.append(theme)
-
-
-class OtherDiary(Diary):
-    pass
+        if after.differs(before, "evaluation"):
+            self.evaluations.append(after.evaluation)
+        if before is None or before.focus != after.focus:
+            self.foci.append(after.focus)
+        if before is None or before.display.theme != after.display.theme:
+            self.themes.append(after.display.theme)
 
 
 @pytest.fixture
-def lab(monkeypatch, make_editor):
-    """An editor whose laboratory holds two diaries."""
-    entries = (
-        PanelEntry("first", "&First", "What comes first", "first", "Diary"),
-        PanelEntry("second", "&Second", "What comes second", "second", "OtherDiary"),
-    )
-    monkeypatch.setattr(place_module, "PANELS", entries)
-    monkeypatch.setattr(PanelEntry, "make", lambda entry: globals()[entry.kind]())
-    yield make_editor()
+def lab(make_editor):
+    """An editor whose laboratory holds two diaries besides the program's own panels."""
+    first = PanelRecord("first", "&First", "What comes first", Diary)
+    second = PanelRecord("second", "&Second", "What comes second", Diary)
+    with PANELS.register(first), PANELS.register(second):
+        yield make_editor()
     set_theme(ThemeName.LIGHT)
 
 
@@ -54,22 +46,22 @@ def diary(lab, name):
 
 
 def test_panels_are_made_when_they_are_asked_for_and_the_commands_say_which_is_shown(lab):
-    place = lab.window.workspace.laboratory
+    place = lab.window.parts.laboratory
     assert not place.isVisible()
-    assert place.panels == {}
+    assert lab.window.findChildren(Diary) == []
     lab.trigger("laboratory_second")
-    assert list(place.panels) == ["second"]
+    assert [made.objectName() for made in lab.window.findChildren(Diary)] == ["laboratory.second"]
     assert diary(lab, "second").isVisible()
     assert lab.action("laboratory_second").isChecked()
     lab.trigger("laboratory_first")
     assert (lab.action("laboratory_first").isChecked(), lab.action("laboratory_second").isChecked()) == (True, False)
     assert not diary(lab, "second").isVisible()
-    lab.find("laboratory.tabs", QTabBar).setCurrentIndex(1)
+    lab.find("laboratory.tabs", QTabBar).setCurrentIndex(list(PANELS).index("second"))
     lab.settle()
-    assert place.shown == "second"
+    assert lab.window.store.state.panel == "second"
     assert lab.action("laboratory_second").isChecked()
     lab.click("laboratory.close")
-    assert (place.shown, place.isVisible()) == ("", False)
+    assert (lab.window.store.state.panel, place.isVisible()) == ("", False)
     assert not lab.action("laboratory_second").isChecked()
     lab.trigger("laboratory_second")
     lab.trigger("laboratory_second")
@@ -81,18 +73,18 @@ def test_only_the_panel_that_is_seen_is_told_and_only_the_latest(lab, spin):
     lab.trigger("laboratory_second")
     first, second = diary(lab, "first"), diary(lab, "second")
     spin(50)
-    before = len(first.documents)
-    assert len(second.documents) == 1
+    before = len(first.evaluations)
+    assert len(second.evaluations) == 1
     lab.type_into("row_knots.C_4.r", "0.31")
     lab.type_into("row_knots.C_4.r", "0.32")
-    assert second.documents[-1] == lab.document
-    assert len(first.documents) == before
+    assert second.evaluations[-1].document == lab.document
+    assert len(first.evaluations) == before
     lab.trigger("laboratory_first")
-    assert first.documents[-1] == lab.document
-    assert len(first.documents) == before + 1
+    assert first.evaluations[-1].document == lab.document
+    assert len(first.evaluations) == before + 1
     lab.click("laboratory.close")
     lab.type_into("row_knots.C_4.r", "0.33")
-    assert len(first.documents) == before + 1
+    assert len(first.evaluations) == before + 1
 
 
 def test_a_drag_with_a_panel_open_tells_it_once_a_turn(lab):
@@ -100,10 +92,10 @@ def test_a_drag_with_a_panel_open_tells_it_once_a_turn(lab):
     panel = diary(lab, "first")
     lab.field("row_knots.C_4.r").setFocus()
     lab.settle()
-    before = len(panel.documents)
+    before = len(panel.evaluations)
     lab.drag_slider("row_knots.slider", [5, 5, 5, 5])
-    assert before < len(panel.documents) <= before + 4
-    assert panel.documents[-1] == lab.document
+    assert before < len(panel.evaluations) <= before + 4
+    assert panel.evaluations[-1].document == lab.document
 
 
 def test_the_focus_is_the_knot_or_point_that_came_last(lab):
@@ -132,25 +124,26 @@ def test_panels_follow_the_theme(lab):
     panel = diary(lab, "first")
     set_theme(ThemeName.DARK)
     lab.settle()
-    assert panel.themes == [theme_of(ThemeName.LIGHT), theme_of(ThemeName.DARK)]
+    assert panel.themes == [ThemeName.LIGHT, ThemeName.DARK]
 
 
 def test_a_panel_can_open_a_document_edit_and_speak(lab):
     lab.trigger("laboratory_first")
-    panel = diary(lab, "first")
-    panel.told.emit("It is so.", False)
+    dispatch = diary(lab, "first").store.dispatch
+    dispatch(MessageShown("It is so."))
+    lab.settle()
     assert lab.message() == "It is so."
-    panel.values_edited.emit({KnotPlace(Direction.ROWS, 4, "r"): 0.25}, 7)
+    dispatch(ValuesEdited({KnotPlace(Direction.ROWS, 4, "r"): 0.25}, 7))
     lab.settle()
     assert {knots.r for knots in lab.document.row_knots} == {0.25}  # the curves are linked
     lab.trigger("undo")
     assert lab.document == preset("fig5").document
-    panel.document_requested.emit(preset("fig6c").document, "a counterexample")
+    dispatch(DocumentAsked(preset("fig6c").document, "a counterexample"))
     lab.settle()
     assert lab.document == preset("fig6c").document
     assert "a counterexample" in lab.window.windowTitle()
-    assert not lab.window.session.is_changed
-    assert lab.window.session.path is None
+    assert not lab.window.store.state.is_changed
+    assert lab.window.store.state.file.path is None
 
 
 def test_the_laboratory_stays_when_the_zones_go_and_keeps_its_height(lab, home, spin):
@@ -166,15 +159,15 @@ def test_the_laboratory_stays_when_the_zones_go_and_keeps_its_height(lab, home, 
     window = MainWindow(None, Preferences())
     first = Editor(window, (1440, 900))
     first.trigger("laboratory_first")
-    window.workspace._splitters["laboratory"].setSizes([400, 260])
+    first.find("splitter.laboratory").setSizes([400, 260])
     first.settle()
-    height = window.workspace.laboratory.height()
+    height = window.parts.laboratory.height()
     first.trigger("laboratory_first")
     first.discard()
     again = Editor(MainWindow(None, Preferences()), (1440, 900))
-    assert not again.window.workspace.laboratory.isVisible()
+    assert not again.window.parts.laboratory.isVisible()
     again.trigger("laboratory_first")
-    assert again.window.workspace.laboratory.height() == pytest.approx(height, abs=2)
+    assert again.window.parts.laboratory.height() == pytest.approx(height, abs=2)
     again.discard()
 
 
@@ -183,7 +176,7 @@ def test_view_and_panel_have_room_in_a_small_window(make_editor):
     editor.trigger("laboratory_curve")
     assert (editor.window.width(), editor.window.height()) == (1280, 720)
     assert editor.window.view.height() >= 240
-    assert editor.window.workspace.laboratory.height() >= 250
+    assert editor.window.parts.laboratory.height() >= 250
     for name in ("surface.configure", "surface.matrix", "row_knots.C_0.t"):
         assert not editor.find(name).visibleRegion().isEmpty()
 

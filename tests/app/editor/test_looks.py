@@ -92,7 +92,7 @@ def test_everything_fits_its_place(make_editor, size):
         assert widget.width() >= widget.minimumSizeHint().width(), name
         assert not widget.visibleRegion().isEmpty(), name
         assert widget.visibleRegion().boundingRect() == widget.rect(), name
-    for label in window.workspace.findChildren(QLabel):
+    for label in window.parts.findChildren(QLabel):
         if label.isVisible() and not label.wordWrap():
             assert label.width() >= label.minimumSizeHint().width(), label.text()
     assert window.view.width() >= 0.45 * size[0]

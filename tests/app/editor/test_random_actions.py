@@ -56,7 +56,7 @@ def run_a_command(editor, rng):
     if name.startswith("preset"):
         if rng.random() < 0.7:
             return
-        editor.window.session.history.setClean()  # so that nothing is asked
+        editor.mark_saved()  # so that nothing is asked
     editor.action(name).trigger()
 
 
@@ -97,13 +97,13 @@ def test_random_actions(make_editor, seed):
             check_marks(editor)
     while editor.action("undo").isEnabled():
         editor.trigger("undo")
-    assert not editor.window.session.history.canUndo()
+    assert editor.window.store.state.history.undo_text is None
     assert editor.disagreements() == []
     assert QApplication.activeModalWidget() is None
 
 
 def check_marks(editor):
-    state = editor.window.controller.state
+    state = editor.window.store.state
     assert editor.find("surface.export").isEnabled() == (not state.is_stale)
     assert editor.find("surface.formulation", QComboBox).currentText() == str(editor.document.formulation)
     if editor.action("live").isChecked() and state.evaluation is not None:

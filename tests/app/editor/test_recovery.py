@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from PySide6.QtTest import QTest
 
+from qovr_app.window.recovery import recovery_folder
 from qovr_core.files import read_document, write_document
 from qovr_core.files.qovr_document import document_from_json
 from qovr_core.presets import preset
@@ -30,17 +31,12 @@ def start_victim(home, seed):
 def crash(editor, home):
     """Leave a window as a dead process would: with its recovery file and no living owner."""
     QTest.qWait(400)
-    keeper = editor.window._keeper
-    editor.window.worker.close()
-    keeper._store._lock.unlock()
-    editor.window._keeper = None
-    keeper.deleteLater()
+    for lock in recovery_folder().glob("*.lock"):
+        lock.unlink()
     editor.settle()
 
 
 def recovery_files():
-    from qovr_app.window.recovery import recovery_folder
-
     return sorted(path.name.split(".", 1)[1] for path in recovery_folder().glob("*"))
 
 

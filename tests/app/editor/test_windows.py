@@ -2,6 +2,7 @@
 
 import pytest
 
+from qovr_app.state.intents import PointDragged
 from qovr_core.presets import preset
 
 
@@ -18,11 +19,12 @@ def test_two_windows_show_two_documents_and_one_outlives_the_other(make_editor, 
     first_editor, second_editor = make_editor("paper:fig5"), make_editor("paper:fig8")
     first, second = first_editor.window, second_editor.window
     spin(600)
-    assert first.session.document == preset("fig5").document
-    assert second.session.document == preset("fig8").document
-    first.controller.drag_point(2, 2, preset("fig5").document.control_points[2, 2] + 0.1, 1)
+    assert first.store.state.document == preset("fig5").document
+    assert second.store.state.document == preset("fig8").document
+    moved = preset("fig5").document.control_points[2, 2] + 0.1
+    first.store.dispatch(PointDragged(2, 2, tuple(moved.tolist()), 1))
     spin(300)
-    assert second.session.document == preset("fig8").document
+    assert second.store.state.document == preset("fig8").document
     assert first.view.image() != second.view.image()
     assert min(colourful(first.view.image()), colourful(second.view.image())) > 0.1
     first_editor.discard()

@@ -1,0 +1,172 @@
+"""The document's part of the next state: edits, drafts, undo, and the surface that follows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Mapping
+from dataclasses import replace
+
+from qovr_app.state import intents
+from qovr_app.state.editor_state import DocumentFile, EditorState, Selection, with_layer_in_place, with_message
+from qovr_app.state.history import History
+from qovr_app.state.names import ZONE_TITLES, edit_text
+from qovr_core import Document, Evaluation, EvaluationError, edits
+from qovr_core.edits import Place, value_at
+from qovr_core.formulations import FORMULATIONS, Formulation
+from qovr_core.geometry.knots import KnotPlace
+
+Edit = Callable[[Document], Document]
+
+
+def values_edited(state: EditorState, intent: intents.ValuesEdited) -> EditorState:
+    wanted = dict(intent.values)
+    for place, value in intent.values.items():
+        if isinstance(place, KnotPlace):
+            linked = edits.linked_places(
+                state.document, place, curves=state.links_curves, directions=state.links_directions
+            )
+            wanted |= dict.fromkeys(linked, value)
+    text = edit_text(list(wanted))
+    return _edited(state, text, lambda document: edits.set_values(document, wanted), intent, intent.gesture)
+
+
+def values_pasted(state: EditorState, intent: intents.ValuesPasted) -> EditorState:
+    zones = dict.fromkeys(edits.zone_of(place) for place in intent.values)
+    text = "Paste " + " and ".join(ZONE_TITLES[zone].lower() for zone in zones)
+    state = replace(state, texts=_without(state.texts, intent.values))
+    return _edited(state, text, lambda document: edits.set_values(document, intent.values), intent)
+
+
+def text_typed(state: EditorState, intent: intents.TextTyped) -> EditorState:
+    if state.texts.get(intent.place) == intent.text:
+        return state
+    texts = dict(_without(state.texts, (intent.place,)))
+    if intent.text is not None:
+        texts[intent.place] = intent.text
+    return replace(state, texts=texts)
+
+
+def zone_set(state: EditorState, intent: intents.ZoneSet) -> EditorState:
+    draft = edits.set_values(state.draft, intent.typed)
+    document = edits.copy_zone(draft, state.document, intent.zone)
+    state = replace(state, draft=draft, texts=_without(state.texts, intent.typed))
+    return _set(state, f"Set {ZONE_TITLES[intent.zone].lower()}", document, intent)
+
+
+def zone_read(state: EditorState, intent: intents.ZoneRead) -> EditorState:
+    texts = {place: text for place, text in state.texts.items() if edits.zone_of(place) is not intent.zone}
+    return replace(state, draft=edits.copy_zone(state.document, state.draft, intent.zone), texts=texts)
+
+
+def formulation_chosen(state: EditorState, intent: intents.FormulationChosen) -> EditorState:
+    document = edits.set_formulation(state.document, FORMULATIONS[intent.name])
+    return _set(state, f"Choose {intent.name}", document, intent)
+
+
+def samples_chosen(state: EditorState, intent: intents.SamplesChosen) -> EditorState:
+    n, m = intent.samples
+    return _set(state, f"Set samples {n} × {m}", edits.set_samples(state.document, intent.samples), intent)
+
+
+def point_dragged(state: EditorState, intent: intents.PointDragged) -> EditorState:
+    def move(document: Document) -> Document:
+        return edits.set_point(document, intent.i, intent.j, intent.point)
+
+    moved = _set(state, f"Move P {intent.i},{intent.j}", move(state.document), intent, intent.gesture)
+    # A drag sets the document even where edits wait; what is typed over the point is where the hand has put it.
+    return replace(moved, draft=move(moved.draft), gesture=intent.gesture)
+
+
+def gesture_ended(state: EditorState, _intent: intents.GestureEnded) -> EditorState:
+    return replace(state, gesture=0, message=None)
+
+
+def gesture_cancelled(state: EditorState, intent: intents.GestureCancelled) -> EditorState:
+    return replace(_arrived(state, state.history.cancelled(intent.gesture)), gesture=0)
+
+
+def undone(state: EditorState, _intent: intents.Undone) -> EditorState:
+    return _arrived(state, state.history.undone())
+
+
+def redone(state: EditorState, _intent: intents.Redone) -> EditorState:
+    return _arrived(state, state.history.redone())
+
+
+def live_switched(state: EditorState, intent: intents.LiveSwitched) -> EditorState:
+    state = replace(state, is_live=intent.is_live)
+    if not intent.is_live:
+        return state
+    state = _set(state, "Set pending values", state.draft, intent)
+    return configured(state, intents.Configured()) if state.is_stale else state
+
+
+def configured(state: EditorState, _intent: intents.Configured) -> EditorState:
+    return _with_evaluation(state, Evaluation(state.document))
+
+
+def opened(state: EditorState, intent: intents.Opened) -> EditorState:
+    history = History(intent.document, saved=0 if intent.is_saved else None)
+    file = DocumentFile(intent.title, intent.path, intent.stamp, intent.preset, state.file.opening + 1)
+    state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=0)
+    state = with_message(state, intent.message) if intent.message else state
+    return replace(_arrived(state, history), draft=intent.document)
+
+
+def saved(state: EditorState, intent: intents.Saved) -> EditorState:
+    file = replace(state.file, path=intent.path, title=intent.title, stamp=intent.stamp)
+    state = replace(state, history=state.history.marked_saved(intent.serial), file=file)
+    return with_message(state, f"Saved {intent.title}")
+
+
+# The one way
+
+
+def _edited(state: EditorState, text: str, edit: Edit, intent: intents.Intent, gesture: int = 0) -> EditorState:
+    """Return the state after an edit of the document, or of the draft where edits wait."""
+    if state.is_live:
+        return _set(state, text, edit(state.document), intent, gesture)
+    draft = edit(state.draft)
+    return replace(state, draft=draft, texts=_still_typed(state.texts, state.draft, draft))
+
+
+def _set(state: EditorState, text: str, document: Document, intent: intents.Intent, gesture: int = 0) -> EditorState:
+    """Return the state whose document is another one, as one named step; refused where it has no surface."""
+    if document == state.document:
+        return state
+    if state.is_live:
+        state = _with_evaluation(state, Evaluation(document))
+    return _arrived(state, state.history.pushed(text, document, intent, gesture))
+
+
+def _arrived(state: EditorState, history: History) -> EditorState:
+    """Return the state after the history has moved: draft and texts follow, and the surface where edits are live."""
+    before, after = state.document, history.document
+    draft = after if state.is_live else edits.rebase(state.draft, before, after)
+    texts = _still_typed(state.texts, state.draft, draft)
+    state = replace(state, history=history, draft=draft, texts=texts)
+    if before != after and state.message and state.message.is_refusal:
+        state = replace(state, message=None)
+    if not (state.is_live and state.is_stale):
+        return state
+    try:
+        return _with_evaluation(state, Evaluation(after))
+    except EvaluationError as error:
+        return with_message(state, f"{error}.", is_refusal=True)
+
+
+def _with_evaluation(state: EditorState, evaluation: Evaluation) -> EditorState:
+    """Return the state with another surface; where its formulation is another one, its resting layer is shown."""
+    before = state.evaluation.document.formulation if state.evaluation else Formulation.PUBLISHED
+    state = replace(state, evaluation=evaluation)
+    return state if evaluation.document.formulation == before else with_layer_in_place(state, evaluation)
+
+
+def _still_typed(texts: Mapping[Place, str], before: Document, after: Document) -> Mapping[Place, str]:
+    """Return the texts over numbers that have stayed: another number drops what was typed over the one before."""
+    if not texts or before is after:
+        return texts
+    return {place: text for place, text in texts.items() if value_at(before, place) == value_at(after, place)}
+
+
+def _without(texts: Mapping[Place, str], places: Container[Place]) -> Mapping[Place, str]:
+    return {place: text for place, text in texts.items() if place not in places} if texts else texts

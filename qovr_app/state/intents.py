@@ -1,0 +1,272 @@
+"""What the user wants, as values: every intent makes the next state in ``next_state``, or is refused there.
+
+A ``Request`` is an intent that needs the world outside - a file, a dialog, the clipboard. The shell answers it, and the
+answer comes back as an intent.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+from qovr_core import Document
+from qovr_core.edits import Place, Zone
+
+NetIndex = tuple[int, int]
+"""Row i and column j of a control point."""
+
+Stamp = tuple[int, int]
+"""When a file was last written, in nanoseconds, and its size: together they tell whether it is another one."""
+
+
+class Intent:
+    """Base of everything that can be dispatched."""
+
+
+class Request(Intent):
+    """Base of the intents that the shell answers."""
+
+
+# Numbers of the document
+
+
+@dataclass(frozen=True)
+class ValuesEdited(Intent):
+    """Numbers are other ones, and with them those that are linked; ``gesture`` is 0 for none."""
+
+    values: Mapping[Place, float]
+    gesture: int = 0
+
+
+@dataclass(frozen=True)
+class ValuesPasted(Intent):
+    """Exactly these numbers are other ones."""
+
+    values: Mapping[Place, float]
+
+
+@dataclass(frozen=True)
+class TextTyped(Intent):
+    """A field holds a text that is not its number; None when it does no longer."""
+
+    place: Place
+    text: str | None
+
+
+@dataclass(frozen=True)
+class ZoneSet(Intent):
+    """A zone of the draft, and what is typed over it, becomes that of the document."""
+
+    zone: Zone
+    typed: Mapping[Place, float]
+
+
+@dataclass(frozen=True)
+class ZoneRead(Intent):
+    """A zone of the document comes back into the draft."""
+
+    zone: Zone
+
+
+@dataclass(frozen=True)
+class PointDragged(Intent):
+    """A control point is dragged; ``point`` is x, y, z in the document's units."""
+
+    i: int
+    j: int
+    point: tuple[float, float, float]
+    gesture: int
+
+
+@dataclass(frozen=True)
+class GestureEnded(Intent):
+    """A drag has ended where it is."""
+
+    gesture: int
+
+
+@dataclass(frozen=True)
+class GestureCancelled(Intent):
+    """A drag is to be as if it had never been."""
+
+    gesture: int
+
+
+@dataclass(frozen=True)
+class FormulationChosen(Intent):
+    """Another formulation, by its name."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class SamplesChosen(Intent):
+    """Other sample counts along u and v."""
+
+    samples: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class Undone(Intent):
+    """One step back."""
+
+
+@dataclass(frozen=True)
+class Redone(Intent):
+    """One step forward."""
+
+
+@dataclass(frozen=True)
+class Configured(Intent):
+    """The surface is that of the document from now on."""
+
+
+@dataclass(frozen=True)
+class LiveSwitched(Intent):
+    """Edits are set at once, or wait in the draft."""
+
+    is_live: bool
+
+
+@dataclass(frozen=True)
+class CurvesLinked(Intent):
+    """The curves of a direction share what is edited, or not."""
+
+    is_linked: bool
+
+
+@dataclass(frozen=True)
+class DirectionsLinked(Intent):
+    """Rows and columns share what is edited, or not."""
+
+    is_linked: bool
+
+
+# What is looked at
+
+
+@dataclass(frozen=True)
+class Selected(Intent):
+    """These control points are selected, ``last`` the latest of them; none at all where ``last`` is None."""
+
+    last: NetIndex | None
+    others: tuple[NetIndex, ...] = ()
+
+
+@dataclass(frozen=True)
+class FieldFocused(Intent):
+    """The field at a place has the keyboard now."""
+
+    place: Place
+
+
+@dataclass(frozen=True)
+class DisplayChosen(Intent):
+    """One of the display settings, by its field of ``DisplaySettings``."""
+
+    setting: str
+    value: object
+
+
+@dataclass(frozen=True)
+class RangeFixed(Intent):
+    """The colours end at two values."""
+
+    low: float
+    high: float
+
+
+@dataclass(frozen=True)
+class Probed(Intent):
+    """The point of the surface under the pointer: which viewport, u and v; None where there is none."""
+
+    place: tuple[int, float, float] | None
+
+
+@dataclass(frozen=True)
+class ReferencePinned(Intent):
+    """The configured surface is the reference from now on."""
+
+
+@dataclass(frozen=True)
+class ReferenceUnpinned(Intent):
+    """There is no reference any more."""
+
+
+@dataclass(frozen=True)
+class ComparisonChosen(Intent):
+    """The surface compared with, its placement in the view (empty for none), and the weight of the measured point."""
+
+    surface: str
+    placement: str
+    weight: float
+
+
+@dataclass(frozen=True)
+class DistanceMapSwitched(Intent):
+    """The surfaces are coloured by their distance from each other, or as they were before."""
+
+    is_on: bool
+
+
+@dataclass(frozen=True)
+class PanelShown(Intent):
+    """A panel of the laboratory, by its name; empty closes the laboratory."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class ZonesShown(Intent):
+    """The zones beside the view are shown, or not."""
+
+    are_shown: bool
+
+
+@dataclass(frozen=True)
+class MessageShown(Intent):
+    """One sentence for the message line."""
+
+    text: str
+    is_refusal: bool = False
+
+
+@dataclass(frozen=True)
+class MessageOutdated(Intent):
+    """The message has been read, or, where only refusals are meant, no longer holds."""
+
+    only_refusals: bool = False
+
+
+# Answers of the shell
+
+
+@dataclass(frozen=True)
+class Opened(Intent):
+    """Another document has come, with a history of its own.
+
+    Parameters
+    ----------
+    path : the ``.qovr`` file that Save writes; None where there is none yet
+    preset : the name of the preset that it is, else empty
+    is_saved : whether it lies in a file as it is, or need not
+    """
+
+    document: Document
+    title: str
+    path: Path | None = None
+    stamp: Stamp | None = None
+    preset: str = ""
+    is_saved: bool = True
+    message: str = ""
+
+
+@dataclass(frozen=True)
+class Saved(Intent):
+    """The document of a serial of the history lies in a file now, and is called by its name."""
+
+    path: Path
+    title: str
+    serial: int
+    stamp: Stamp | None = None

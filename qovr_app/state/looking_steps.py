@@ -1,0 +1,117 @@
+"""What is looked at, in the next state: selection, display, reference, comparison, panels, messages."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+from qovr_app.state import intents
+from qovr_app.state.display import ColourRange, LayerChoice, Placement
+from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
+from qovr_core import Layer, QovrError
+from qovr_core.edits import CoordinatePlace, zone_of
+from qovr_core.fields import Field
+
+DRAG_HINT = "Drag: in the view plane. Hold X, Y or Z: along that axis. Esc: put the point back."
+
+
+def selected(state: EditorState, intent: intents.Selected) -> EditorState:
+    last = intent.last
+    if last is None:
+        return replace(state, selection=Selection(), message=None)
+    state = _with_point(state, last, intent.others)
+    return with_message(state, "P {},{}.  {}".format(*last, DRAG_HINT))
+
+
+def field_focused(state: EditorState, intent: intents.FieldFocused) -> EditorState:
+    place = intent.place
+    state = replace(state, fields={**state.fields, zone_of(place): place})
+    if isinstance(place, CoordinatePlace):
+        return _with_point(state, (place.i, place.j))
+    return replace(state, knot=place, knot_came_last=True)
+
+
+def _with_point(state: EditorState, last: intents.NetIndex, others: tuple[intents.NetIndex, ...] = ()) -> EditorState:
+    selection = Selection(last, frozenset((last, *others)))
+    return replace(state, selection=selection, measured_point=last, knot_came_last=False)
+
+
+def display_chosen(state: EditorState, intent: intents.DisplayChosen) -> EditorState:
+    before = state.colours_before if intent.setting != "colour_by" else ""
+    changes: dict[str, Any] = {intent.setting: intent.value}
+    return replace(state, display=replace(state.display, **changes), colours_before=before)
+
+
+def range_fixed(state: EditorState, intent: intents.RangeFixed) -> EditorState:
+    limits = (intent.low, intent.high)
+    return replace(state, display=replace(state.display, colour_range=ColourRange.FIXED, fixed_range=limits))
+
+
+def probed(state: EditorState, intent: intents.Probed) -> EditorState:
+    return state if intent.place == state.probe else replace(state, probe=intent.place)
+
+
+def reference_pinned(state: EditorState, _intent: intents.ReferencePinned) -> EditorState:
+    """Pin the surface configured last, in the layer that is shown; of two, in the one that lies on the net."""
+    evaluation, shown = state.evaluation, state.display.layer
+    if evaluation is None:
+        return with_message(state, "There is no surface to pin: configure one first (F5).")
+    formulation = evaluation.document.formulation
+    layer = formulation.resting_layer if shown is LayerChoice.BOTH else Layer(shown.value)
+    reference = Reference(evaluation.layer_patch(layer), f"{state.file.title}, {formulation}")
+    return with_message(
+        replace(state, reference=reference),
+        f"Pinned the {layer} surface of {state.file.title} ({formulation}) as the reference. "
+        "View, Colour by, Distance shows how far a surface lies from it.",
+    )
+
+
+def reference_unpinned(state: EditorState, _intent: intents.ReferenceUnpinned) -> EditorState:
+    text = "There is no reference." if state.reference is None else "There is no reference any more."
+    return with_message(replace(state, reference=None), text)
+
+
+def comparison_chosen(state: EditorState, intent: intents.ComparisonChosen) -> EditorState:
+    placement = Placement(intent.placement) if intent.placement else None
+    state = replace(state, comparison=ComparisonChoice(intent.surface, placement, intent.weight))
+    return state if state.shown_comparison else _without_distance_map(state)
+
+
+def distance_map_switched(state: EditorState, intent: intents.DistanceMapSwitched) -> EditorState:
+    if not intent.is_on:
+        return _without_distance_map(state, Field.HEIGHT.name)
+    before = state.display.colour_by
+    display = replace(state.display, colour_by=Field.DISTANCE.name)
+    return replace(state, display=display, colours_before=before)
+
+
+def _without_distance_map(state: EditorState, otherwise: str = "") -> EditorState:
+    """Return the state in which the colours are those from before the distance map."""
+    before = state.colours_before or otherwise
+    if before and state.display.colour_by == Field.DISTANCE.name:
+        state = replace(state, display=replace(state.display, colour_by=before))
+    return replace(state, colours_before="")
+
+
+def panel_shown(state: EditorState, intent: intents.PanelShown) -> EditorState:
+    state = replace(state, panel=intent.name)
+    return state if state.shown_comparison else _without_distance_map(state)
+
+
+def zones_shown(state: EditorState, intent: intents.ZonesShown) -> EditorState:
+    return replace(state, shows_zones=intent.are_shown)
+
+
+def message_shown(state: EditorState, intent: intents.MessageShown) -> EditorState:
+    return with_message(state, intent.text, is_refusal=intent.is_refusal)
+
+
+def message_outdated(state: EditorState, intent: intents.MessageOutdated) -> EditorState:
+    if state.message is None or (intent.only_refusals and not state.message.is_refusal):
+        return state
+    return replace(state, message=None)
+
+
+def refused(state: EditorState, error: QovrError) -> EditorState:
+    """Return the state that says why an intent was not followed."""
+    return with_message(state, f"{error}.", is_refusal=True)

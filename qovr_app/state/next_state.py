@@ -1,0 +1,59 @@
+"""The one function that makes the next state: pure, and the only place where intents are followed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+from qovr_app.state import document_steps, intents, looking_steps
+from qovr_app.state.editor_state import EditorState
+
+_STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = {
+    intents.ValuesEdited: document_steps.values_edited,
+    intents.ValuesPasted: document_steps.values_pasted,
+    intents.TextTyped: document_steps.text_typed,
+    intents.ZoneSet: document_steps.zone_set,
+    intents.ZoneRead: document_steps.zone_read,
+    intents.PointDragged: document_steps.point_dragged,
+    intents.GestureEnded: document_steps.gesture_ended,
+    intents.GestureCancelled: document_steps.gesture_cancelled,
+    intents.FormulationChosen: document_steps.formulation_chosen,
+    intents.SamplesChosen: document_steps.samples_chosen,
+    intents.Undone: document_steps.undone,
+    intents.Redone: document_steps.redone,
+    intents.Configured: document_steps.configured,
+    intents.LiveSwitched: document_steps.live_switched,
+    intents.CurvesLinked: lambda state, intent: replace(state, links_curves=intent.is_linked),
+    intents.DirectionsLinked: lambda state, intent: replace(state, links_directions=intent.is_linked),
+    intents.Opened: document_steps.opened,
+    intents.Saved: document_steps.saved,
+    intents.Selected: looking_steps.selected,
+    intents.FieldFocused: looking_steps.field_focused,
+    intents.DisplayChosen: looking_steps.display_chosen,
+    intents.RangeFixed: looking_steps.range_fixed,
+    intents.Probed: looking_steps.probed,
+    intents.ReferencePinned: looking_steps.reference_pinned,
+    intents.ReferenceUnpinned: looking_steps.reference_unpinned,
+    intents.ComparisonChosen: looking_steps.comparison_chosen,
+    intents.DistanceMapSwitched: looking_steps.distance_map_switched,
+    intents.PanelShown: looking_steps.panel_shown,
+    intents.ZonesShown: looking_steps.zones_shown,
+    intents.MessageShown: looking_steps.message_shown,
+    intents.MessageOutdated: looking_steps.message_outdated,
+}
+
+
+def next_state(state: EditorState, intent: intents.Intent) -> EditorState:
+    """Return the state after an intent; it does no input or output, and the same state and intent give the same.
+
+    Raises
+    ------
+    QovrError : the intent asks for what cannot be; the state stays as it is
+    TypeError : nobody follows an intent of this kind
+    """
+    try:
+        step = _STEPS[type(intent)]
+    except KeyError:
+        raise TypeError(f"no step follows {type(intent).__name__}; expected one of the intents") from None
+    return step(state, intent)

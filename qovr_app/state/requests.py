@@ -1,0 +1,122 @@
+"""What only the shell can do: files, dialogs, the clipboard, the camera and the keyboard's focus."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from qovr_app.state.intents import Request
+from qovr_core import Document
+
+
+@dataclass(frozen=True)
+class OpenAsked(Request):
+    """Ask for a file and open it."""
+
+
+@dataclass(frozen=True)
+class SourceAsked(Request):
+    """Open a file or a preset, after asking about unsaved changes."""
+
+    source: str
+
+
+@dataclass(frozen=True)
+class DocumentAsked(Request):
+    """Open a document that the program made, after asking about unsaved changes."""
+
+    document: Document
+    title: str
+
+
+@dataclass(frozen=True)
+class SaveAsked(Request):
+    """Save to the document's file, or to another one that is asked for."""
+
+    elsewhere: bool = False
+
+
+@dataclass(frozen=True)
+class ExportAsked(Request):
+    """Ask for a format and a file, and write the configured surface."""
+
+
+@dataclass(frozen=True)
+class FigureAsked(Request):
+    """Ask how large and where, and write what the view shows."""
+
+
+@dataclass(frozen=True)
+class DrawingAsked(Request):
+    """Ask how large and where, and let a drawing be written.
+
+    Parameters
+    ----------
+    name : what is added to the document's name for that of the file
+    write : writes the drawing to a path, with the options of a figure
+    """
+
+    name: str
+    write: Callable[[Path, Any], None]
+
+
+@dataclass(frozen=True)
+class CloseAsked(Request):
+    """Close the window."""
+
+
+@dataclass(frozen=True)
+class RecoveryAnswered(Request):
+    """Go on with what an earlier run left unsaved, or delete it."""
+
+    is_wanted: bool
+
+
+@dataclass(frozen=True)
+class RecentCleared(Request):
+    """Forget all recent files."""
+
+
+@dataclass(frozen=True)
+class CopyAsked(Request):
+    """Copy what a name of ``window.clipboard`` stands for."""
+
+    what: str
+
+
+@dataclass(frozen=True)
+class PasteAsked(Request):
+    """Paste the clipboard's block into the zone that has the keyboard."""
+
+
+@dataclass(frozen=True)
+class ZoneButtonPressed(Request):
+    """Get or Set of the zone that has the keyboard."""
+
+    is_set: bool
+
+
+@dataclass(frozen=True)
+class CameraAsked(Request):
+    """Look from a named direction; empty fits the surface from where the camera is."""
+
+    name: str
+
+
+@dataclass(frozen=True)
+class RangeAsked(Request):
+    """Ask for the ends of a fixed range of colours."""
+
+
+@dataclass(frozen=True)
+class FocusAsked(Request):
+    """Bring the keyboard to a zone or to the view, by its name."""
+
+    part: str
+
+
+@dataclass(frozen=True)
+class HelpAsked(Request):
+    """Show the help beside the work."""

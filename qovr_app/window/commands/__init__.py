@@ -1,0 +1,22 @@
+"""The one table of the window's commands, from which menus, bars, context menus and the keyboard are drawn."""
+
+from qovr_app.window.commands.command import Command
+from qovr_app.window.commands.document import edit_commands, file_commands, surface_commands
+from qovr_app.window.commands.tools import go_commands, help_commands, laboratory_commands, probe_commands
+from qovr_app.window.commands.view import view_commands
+
+__all__ = ["Command", "command_table"]
+
+
+def command_table() -> tuple[Command, ...]:
+    """Return every command, in the order in which menus list them."""
+    return (
+        *file_commands(),
+        *edit_commands(),
+        *surface_commands(),
+        *view_commands(),
+        *go_commands(),
+        *laboratory_commands(),
+        *probe_commands(),
+        *help_commands(),
+    )

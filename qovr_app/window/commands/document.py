@@ -1,0 +1,153 @@
+"""The commands of the menus File, Edit and Surface."""
+
+from __future__ import annotations
+
+from PySide6.QtGui import QKeySequence
+
+from qovr_app.state import intents, requests
+from qovr_app.window.commands.command import Command, asking
+from qovr_core.files.sources import PRESET_PREFIX
+from qovr_core.presets import presets
+
+_Key = QKeySequence.StandardKey
+
+
+def file_commands() -> tuple[Command, ...]:
+    """Return the commands of the menu File."""
+    menu = "&File"
+    return (
+        Command("open", "&Open…", asking(requests.OpenAsked()), menu, _Key.Open),
+        *(
+            Command(
+                f"preset_{name}",
+                f"{name}  {entry.title}",
+                asking(requests.SourceAsked(f"{PRESET_PREFIX}{name}")),
+                f"{menu}/&Presets of the paper",
+            )
+            for name, entry in presets().items()
+        ),
+        Command("save", "&Save", asking(requests.SaveAsked()), menu, _Key.Save, begins_part=True),
+        Command("save_as", "Save &As…", asking(requests.SaveAsked(elsewhere=True)), menu, _Key.SaveAs),
+        Command(
+            "export",
+            "&Export Data…",
+            asking(requests.ExportAsked()),
+            menu,
+            "Ctrl+E",
+            "Write the configured surface",
+            is_enabled=lambda state: not state.is_stale,
+            begins_part=True,
+        ),
+        Command("save_figure", "Save Fi&gure…", asking(requests.FigureAsked()), menu, "Ctrl+G"),
+        Command("close", "&Close", asking(requests.CloseAsked()), menu, _Key.Close, begins_part=True),
+    )
+
+
+def edit_commands() -> tuple[Command, ...]:
+    """Return the commands of the menu Edit."""
+    menu = "&Edit"
+    return (
+        Command(
+            "undo",
+            "&Undo",
+            asking(intents.Undone()),
+            menu,
+            _Key.Undo,
+            is_enabled=lambda state: state.history.undo_text is not None,
+            noun=lambda state: state.history.undo_text or "",
+        ),
+        Command(
+            "redo",
+            "&Redo",
+            asking(intents.Redone()),
+            menu,
+            _Key.Redo,
+            is_enabled=lambda state: state.history.redo_text is not None,
+            noun=lambda state: state.history.redo_text or "",
+        ),
+        Command(
+            "copy_zone",
+            "Copy &zone",
+            asking(requests.CopyAsked("zone")),
+            menu,
+            "Ctrl+Shift+C",
+            "Copy all numbers of the zone for a spreadsheet; control points as 25 rows of X, Y, Z",
+            begins_part=True,
+        ),
+        Command(
+            "copy_plane",
+            "Copy one coor&dinate, 5 × 5",
+            asking(requests.CopyAsked("plane")),
+            menu,
+            "Ctrl+Alt+C",
+            "Copy the coordinate in which the keyboard is, of all points, as the net lies",
+        ),
+        Command(
+            "paste_zone",
+            "&Paste into zone",
+            asking(requests.PasteAsked()),
+            menu,
+            "Ctrl+Shift+V",
+            "Paste a spreadsheet's block: 25 x 3 or 5 x 5 for the points, the whole table for knots",
+        ),
+        Command(
+            "get_values",
+            "&Get Values",
+            asking(requests.ZoneButtonPressed(is_set=False)),
+            menu,
+            "Ctrl+Shift+Return",
+            "Read the active state into the zone that has the keyboard",
+            begins_part=True,
+        ),
+        Command(
+            "set_values",
+            "Set &Values",
+            asking(requests.ZoneButtonPressed(is_set=True)),
+            menu,
+            "Ctrl+Return",
+            "Make the zone that has the keyboard the active state",
+        ),
+    )
+
+
+def surface_commands() -> tuple[Command, ...]:
+    """Return the commands of the menu Surface."""
+    menu = "&Surface"
+    return (
+        Command(
+            "configure",
+            "&Configure QOVR Surface",
+            asking(intents.Configured()),
+            menu,
+            "F5",
+            "Compute raw surface, boxes, T and transformed surface",
+        ),
+        Command(
+            "live",
+            "&Live",
+            lambda state: intents.LiveSwitched(not state.is_live),
+            menu,
+            "Ctrl+L",
+            "Set every edit at once and let the surface follow; off: Set, then Configure",
+            is_checked=lambda state: state.is_live,
+            begins_part=True,
+        ),
+        Command(
+            "link_curves",
+            "Link c&urves",
+            lambda state: intents.CurvesLinked(not state.links_curves),
+            menu,
+            "Ctrl+K",
+            "Editing a knot sets it on all five curves of its direction",
+            is_checked=lambda state: state.links_curves,
+        ),
+        Command(
+            "link_directions",
+            "Link &directions",
+            lambda state: intents.DirectionsLinked(not state.links_directions),
+            menu,
+            "Ctrl+Shift+K",
+            "Editing a knot sets it on rows and columns alike",
+            is_checked=lambda state: state.links_directions,
+        ),
+    )

@@ -1,0 +1,174 @@
+"""The commands of the View menu: everything that changes how the surface is shown, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, Projection, Scaling, Style
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import DisplayChosen, Intent
+from qovr_app.state.requests import CameraAsked, RangeAsked
+from qovr_app.view3d.scene.patterns import colour_sources
+from qovr_app.window.commands.command import Command, asking
+
+_BEGIN_PARTS = {"scaling_each"}
+"""Choices before which the menu has a line."""
+
+SHOWN = {
+    "surface": "&Surface",
+    "parameter_lines": "&Parameter lines",
+    "control_points": "&Control points",
+    "labels": "&Labels",
+    "control_net": "Control &net",
+    "row_curves": "&Row curves C_i(u)",
+    "column_curves": "C&olumn curves K_j(v)",
+    "control_box": "&Box of the control points",
+    "surface_box": "Box of the sur&face",
+    "axes": "&Axes",
+    "colour_bar": "Colo&ur bar",
+}
+"""What can be switched off, by its field of DisplaySettings."""
+
+CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
+    "layer": (
+        LayerChoice,
+        "&View",
+        {
+            "raw": ("&Raw surface", "1"),
+            "transformed": ("&Transformed surface", "2"),
+            "both": ("&Both side by side", "3"),
+        },
+    ),
+    "style": (
+        Style,
+        "&View/St&yle",
+        {
+            "facets": ("&Facets", None),
+            "smooth": ("&Smooth shading", None),
+            "wireframe": ("&Wireframe", None),
+            "points": ("&Points", None),
+        },
+    ),
+    "colour_by": (str, "&View/C&olour by", {}),
+    "colour_range": (
+        ColourRange,
+        "&View/Colour ra&nge",
+        {
+            "auto": ("&Automatic", None),
+            "robust": ("&Robust, 2 % to 98 %", None),
+            "fixed": ("&Fixed…", None),
+        },
+    ),
+    "colour_map": (ColourMap, "&View/&Colours", {name: (f"&{name.capitalize()}", None) for name in ColourMap}),
+    "scaling": (
+        Scaling,
+        "&View/&Axes scaling",
+        {"each": ("&Each axis by itself", None), "equal": ("E&qual scales", None)},
+    ),
+    "projection": (
+        Projection,
+        "&View/&Projection",
+        {"parallel": ("Pa&rallel", None), "perspective": ("&Perspective", None)},
+    ),
+}
+"""What one is chosen of, by its field of DisplaySettings: type, menu, and each choice's text and shortcut. What colours
+the surface is asked of its tables whenever a window is made, for there may be more in them by then."""
+
+_TIPS = {
+    "colour_range_auto": "The colours end at the smallest and largest value; about zero where zero has a meaning",
+    "colour_range_robust": "The colours end where 2 % of the values lie beyond, which marks at the bar's ends show",
+    "colour_range_fixed": "The colours end at two values of your own",
+}
+
+CAMERAS = {
+    "paper": ("&Paper's view", "Ctrl+1", "Azimuth 36, elevation 64 degrees, as in the paper's figures"),
+    "top": ("&Top", "Ctrl+2", "From above, as the paper's Figures 7 and 8b"),
+    "front": ("Fr&ont", "Ctrl+3", "Along the y axis"),
+    "right": ("R&ight", "Ctrl+4", "Along the x axis"),
+}
+
+
+def view_commands() -> tuple[Command, ...]:
+    """Return the commands that change display settings and camera."""
+    return (*_choice_commands(), *_switch_commands(), *_camera_commands())
+
+
+def _choice_commands() -> list[Command]:
+    return [
+        Command(
+            f"{setting}_{value}",
+            text,
+            _choosing(setting, value),
+            menu,
+            shortcut,
+            tip,
+            group=setting,
+            is_checked=_is_chosen(setting, value),
+            begins_part=f"{setting}_{value}" in _BEGIN_PARTS,
+        )
+        for setting, (kind, menu, texts) in CHOICES.items()
+        for value, text, shortcut, tip in _choices_of(setting, kind, texts)
+    ]
+
+
+def _choices_of(
+    setting: str, kind: type[str], texts: dict[str, tuple[str, str | None]]
+) -> list[tuple[str, str, str | None, str]]:
+    """Return every choice of a setting: the value, and its command's text, shortcut and tip."""
+    if setting == "colour_by":
+        return [(name, source.text, None, source.tip) for name, source in colour_sources().items()]
+    return [(kind(value), *texts[value], _TIPS.get(f"{setting}_{value}", "")) for value in texts]
+
+
+def _choosing(setting: str, value: str) -> Callable[[EditorState], Intent]:
+    if value is ColourRange.FIXED:
+        return asking(RangeAsked())
+    return asking(DisplayChosen(setting, value))
+
+
+def _is_chosen(setting: str, value: str) -> Callable[[EditorState], bool]:
+    return lambda state: bool(getattr(state.display, setting) == value)
+
+
+def _switch_commands() -> list[Command]:
+    shown = [
+        Command(f"show_{setting}", text, _switching(setting), "&View/&Show", is_checked=_is_on(setting))
+        for setting, text in SHOWN.items()
+    ]
+    probe = Command(
+        "probe",
+        "Prob&e",
+        _switching("probe"),
+        "&View",
+        "F8",
+        "Read off the point of the surface under the mouse: place, normal, curvatures, distance",
+        is_checked=_is_on("probe"),
+        begins_part=True,
+    )
+    return [*shown, probe]
+
+
+def _switching(setting: str) -> Callable[[EditorState], Intent]:
+    return lambda state: DisplayChosen(setting, not getattr(state.display, setting))
+
+
+def _is_on(setting: str) -> Callable[[EditorState], bool]:
+    return lambda state: bool(getattr(state.display, setting))
+
+
+def _camera_commands() -> list[Command]:
+    menu = "&View/Ca&mera"
+    fit = Command("fit", "&Fit", asking(CameraAsked("")), menu, "F", "Show the whole surface and net")
+    named = [
+        Command(
+            f"camera_{name}",
+            text,
+            asking(CameraAsked(name)),
+            menu,
+            shortcut,
+            tip,
+            begins_part=name == next(iter(CAMERAS)),
+        )
+        for name, (text, shortcut, tip) in CAMERAS.items()
+    ]
+    return [fit, *named]

@@ -1,0 +1,99 @@
+"""Every intent has a text form that reads back: a session can be written down and replayed."""
+
+import dataclasses
+import inspect
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from qovr_app.state import intents, requests
+from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
+from qovr_app.state.editor_state import DocumentFile, first_state
+from qovr_app.state.intent_text import intent_of, intent_text
+from qovr_app.state.next_state import next_state
+from qovr_core import DocumentError
+from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone
+from qovr_core.presets import preset
+
+PLACES = st.one_of(
+    st.builds(KnotPlace, st.sampled_from(Direction), st.integers(0, 4), st.sampled_from("rsut")),
+    st.builds(CoordinatePlace, st.integers(0, 4), st.integers(0, 4), st.integers(0, 2)),
+)
+NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
+VALUES = st.dictionaries(PLACES, NUMBERS, max_size=4)
+GESTURES = st.integers(0, 9)
+INDICES = st.tuples(st.integers(0, 4), st.integers(0, 4))
+EXAMPLES = {
+    intents.ValuesEdited: st.builds(intents.ValuesEdited, VALUES, GESTURES),
+    intents.ValuesPasted: st.builds(intents.ValuesPasted, VALUES),
+    intents.TextTyped: st.builds(intents.TextTyped, PLACES, st.none() | st.text()),
+    intents.ZoneSet: st.builds(intents.ZoneSet, st.sampled_from(Zone), VALUES),
+    intents.ZoneRead: st.builds(intents.ZoneRead, st.sampled_from(Zone)),
+    intents.PointDragged: st.builds(
+        intents.PointDragged, st.integers(0, 4), st.integers(0, 4), st.tuples(NUMBERS, NUMBERS, NUMBERS), GESTURES
+    ),
+    intents.Selected: st.builds(intents.Selected, st.none() | INDICES, st.lists(INDICES).map(tuple)),
+    intents.FieldFocused: st.builds(intents.FieldFocused, PLACES),
+    intents.DisplayChosen: st.just(intents.DisplayChosen("layer", LayerChoice.BOTH)),
+    intents.Probed: st.builds(intents.Probed, st.none() | st.tuples(st.integers(0, 2), NUMBERS, NUMBERS)),
+    intents.ComparisonChosen: st.builds(
+        intents.ComparisonChosen, st.text(), st.sampled_from([*map(str, Placement), ""]), NUMBERS
+    ),
+    intents.RangeFixed: st.builds(intents.RangeFixed, NUMBERS, NUMBERS),
+    intents.Saved: st.builds(intents.Saved, st.text("abc/.", min_size=1).map(Path), st.text(), GESTURES),
+    intents.Opened: st.just(intents.Opened(preset("fig6d").document, "a", None, (1, 2), message="b")),
+    requests.DocumentAsked: st.just(requests.DocumentAsked(preset("fig8").document, "fig8")),
+}
+"""How to make intents whose fields are more than numbers, texts and yes or no."""
+
+
+def kinds():
+    for module in (intents, requests):
+        for _, kind in inspect.getmembers(module, inspect.isclass):
+            if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
+                yield kind
+
+
+@pytest.mark.parametrize("kind", list(kinds()), ids=lambda kind: kind.__name__)
+def test_every_intent_reads_back(kind):
+    if kind is requests.DrawingAsked:
+        pytest.skip("it carries what draws, which lives in this process alone")
+    examples = EXAMPLES.get(kind, st.builds(kind))
+
+    @given(examples)
+    def reads_back(intent):
+        text = intent_text(intent)
+        assert "\n" not in text
+        assert intent_of(text) == intent
+
+    reads_back()
+
+
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[1]", '{"is": "Path", "value": "x"}', '{"is": "Nothing"}', '{"is": "Undone", "x": 1}']
+)
+def test_another_text_is_refused(text):
+    with pytest.raises(DocumentError, match="the text form of an intent"):
+        intent_of(text)
+
+
+def test_a_session_is_replayed_from_its_text():
+    start = first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings())
+    session = [
+        intents.Configured(),
+        intents.ValuesEdited({KnotPlace(Direction.ROWS, 4, "s"): 0.6}),
+        intents.PointDragged(2, 2, (2.0, 2.0, 0.9), 1),
+        intents.GestureEnded(1),
+        intents.FormulationChosen("interpolating"),
+        intents.Undone(),
+    ]
+    by_hand = replayed = start
+    for intent in session:
+        by_hand = next_state(by_hand, intent)
+    for line in "\n".join(map(intent_text, session)).splitlines():
+        replayed = next_state(replayed, intent_of(line))
+    assert replayed.document == by_hand.document
+    assert replayed.history.undo_text == by_hand.history.undo_text
+    assert replayed.display == by_hand.display
