@@ -7,7 +7,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
-from qovr_app.view3d.figure.figure import FigureOptions
+from qovr_app.state.figure_options import FigureOptions
 from qovr_core import Document, FileError
 from qovr_core.laboratory.one_curve import OneCurve
 from qovr_core.laboratory.planes import View

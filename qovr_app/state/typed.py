@@ -36,13 +36,11 @@ def typed_block(text: str) -> list[list[float]]:
     ------
     DocumentError : there is no cell, a cell holds no number, or the rows are of different lengths; it names the place
     """
-    rows = []
+    rows: list[list[float]] = []
     for r, line in enumerate(text.strip("\r\n").splitlines(), start=1):
-        cells = [typed_number(cell) for cell in line.split("\t")]
-        for c, cell in enumerate(cells, start=1):
-            if not isinstance(cell, float):
-                found = "empty" if cell is None else repr(cell)
-                raise DocumentError(f"row {r}, column {c} of what is pasted", found, "a number, as 0.35 or 0,35")
+        cells = [
+            _cell(cell, f"row {r}, column {c} of what is pasted") for c, cell in enumerate(line.split("\t"), start=1)
+        ]
         if rows and len(cells) != len(rows[0]):
             raise DocumentError(
                 f"row {r} of what is pasted", f"{len(cells)} cells long", f"{len(rows[0])} cells, as the rows above"
@@ -51,3 +49,11 @@ def typed_block(text: str) -> list[list[float]]:
     if not rows:
         raise DocumentError("what is pasted", "empty", "a block of numbers")
     return rows
+
+
+def _cell(text: str, place: str) -> float:
+    value = typed_number(text)
+    if not isinstance(value, float):
+        found = "empty" if value is None else repr(value)
+        raise DocumentError(place, found, "a number, as 0.35 or 0,35")
+    return value
