@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 
 MINUS = "\N{MINUS SIGN}"
 MORE_DIGITS = "…"
@@ -80,11 +80,11 @@ def power_text(power: int) -> str:
     return f"×10{str(power).translate(_SUPERSCRIPTS)}"
 
 
-def tick_texts(positions: Sequence[float]) -> list[str]:
+def tick_texts(positions: Iterable[float]) -> list[str]:
     """Return the texts of ticks at even steps, with as many decimals as tell neighbours apart."""
-    if len(positions) == 0:
-        return []
     values = [float(position) + 0.0 for position in positions]  # no tick is at minus zero
+    if not values:
+        return []
     largest = max(map(abs, values))
     step = values[1] - values[0] if len(values) > 1 else 0.0
     step = step or largest or 1.0  # far from 0, neighbours can be one and the same number

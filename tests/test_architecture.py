@@ -26,7 +26,6 @@ HEADLESS = {
 """How every headless command is called here."""
 
 STILL_LONG = {
-    "qovr_core.curve_figures",
     "qovr_app.view3d.interaction.navigator",
     "qovr_app.view3d.view",
     "qovr_app.widgets.number_field",

@@ -38,7 +38,9 @@ def typed_block(text: str) -> list[list[float]]:
     """
     rows: list[list[float]] = []
     for r, line in enumerate(text.strip("\r\n").splitlines(), start=1):
-        cells = [_pasted(cell, r, c) for c, cell in enumerate(line.split("\t"), start=1)]
+        cells = [
+            _cell(cell, f"row {r}, column {c} of what is pasted") for c, cell in enumerate(line.split("\t"), start=1)
+        ]
         if rows and len(cells) != len(rows[0]):
             raise DocumentError(
                 f"row {r} of what is pasted", f"{len(cells)} cells long", f"{len(rows[0])} cells, as the rows above"
@@ -49,9 +51,9 @@ def typed_block(text: str) -> list[list[float]]:
     return rows
 
 
-def _pasted(cell: str, row: int, column: int) -> float:
-    number = typed_number(cell)
-    if isinstance(number, float):
-        return number
-    found = "empty" if number is None else repr(number)
-    raise DocumentError(f"row {row}, column {column} of what is pasted", found, "a number, as 0.35 or 0,35")
+def _cell(text: str, place: str) -> float:
+    value = typed_number(text)
+    if not isinstance(value, float):
+        found = "empty" if value is None else repr(value)
+        raise DocumentError(place, found, "a number, as 0.35 or 0,35")
+    return value

@@ -18,7 +18,9 @@ class Notice(QFrame):
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)
-        self._text = QLabel(self, wordWrap=True, objectName=f"{name}.text")
+        self._text = QLabel(self)
+        self._text.setObjectName(f"{name}.text")
+        self._text.setWordWrap(True)
         self._buttons: list[CompactButton] = []
         self._layout = QHBoxLayout(self)
         self._layout.setContentsMargins(3 * SPACE, SPACE, 2 * SPACE, SPACE)

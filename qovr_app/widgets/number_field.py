@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QPainter
+from PySide6.QtGui import (
+    QColor,
+    QEnterEvent,
+    QFocusEvent,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+    QPainter,
+    QPaintEvent,
+)
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from qovr_app.state.typed import is_block, typed_number
@@ -21,7 +31,7 @@ _HEIGHT_BEYOND_TEXT = 4
 _STEP_DECIMALS = 12
 """A step is rounded to this many decimals, so that 0.1 + 0.2 is 0.3."""
 
-_STEPS = {
+_STEPS: dict[int, float] = {
     Qt.Key.Key_Up: 1.0,
     Qt.Key.Key_Down: -1.0,
     Qt.Key.Key_PageUp: 10.0,
@@ -260,7 +270,7 @@ class NumberField(QLineEdit):
         metrics = self.fontMetrics()
         return QSize(metrics.horizontalAdvance("0.00") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
 
-    def enterEvent(self, event: QEvent) -> None:
+    def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
         self.update()
 
@@ -268,7 +278,7 @@ class NumberField(QLineEdit):
         super().leaveEvent(event)
         self.update()
 
-    def paintEvent(self, event: QEvent) -> None:
+    def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         paint_cell(painter, QRectF(self.rect()), self._marks())
         painter.end()

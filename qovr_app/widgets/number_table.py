@@ -75,6 +75,7 @@ class NumberTable(QTableWidget):
         self.setObjectName(name)
         self.setAccessibleName(spoken)
         self._numbers = np.full((len(rows), len(columns)), np.nan)
+        self._items = [[QTableWidgetItem() for _ in columns] for _ in rows]
         self.setFont(number_font(self.font()))
         self.setPalette(see_through(self.palette()))
         self._delegate = _FittingDelegate(self)
@@ -98,7 +99,7 @@ class NumberTable(QTableWidget):
         """Show an array of the table's shape."""
         for (r, c), value in np.ndenumerate(numbers):
             if value != self._numbers[r, c]:
-                item = self.item(r, c)
+                item = self._items[r][c]
                 item.setData(Qt.ItemDataRole.UserRole, float(value))
                 item.setText(f"{value:.{_MOST_DIGITS}g}")
                 item.setToolTip(number_text(value))
@@ -132,7 +133,8 @@ class NumberTable(QTableWidget):
 
     def _make_headers_plain(self) -> None:
         """Style the headers in the theme in force; a style sheet of the table's own would keep its numbers from it."""
-        for part in (self.horizontalHeader(), self.verticalHeader(), self.findChild(QAbstractButton)):
+        corners = self.findChildren(QAbstractButton)
+        for part in (self.horizontalHeader(), self.verticalHeader(), *corners):
             part.setStyleSheet(_PLAIN_HEADERS)
 
     def _content_height(self) -> int:
@@ -142,9 +144,8 @@ class NumberTable(QTableWidget):
         return self.fontMetrics().height() + _ROW_BEYOND_TEXT
 
     def _fill(self) -> None:
-        for r in range(self.rowCount()):
-            for c in range(self.columnCount()):
-                item = QTableWidgetItem()
+        for r, row in enumerate(self._items):
+            for c, item in enumerate(row):
                 item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
                 item.setData(Qt.ItemDataRole.UserRole, float("nan"))
                 self.setItem(r, c, item)

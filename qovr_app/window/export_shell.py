@@ -10,9 +10,9 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.dialogs.export_dialog import ExportDialog
 from qovr_app.dialogs.figure_dialog import FigureDialog
 from qovr_app.state import requests
+from qovr_app.state.figure_options import FigureOptions
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.store import Store
-from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_app.window.folder import Folder
 from qovr_app.window.shell import Answers
 from qovr_app.work.worker import Worker

@@ -75,7 +75,7 @@ class Bench:
 
     def orbit(self, _k):
         camera = self.view.camera
-        self.view.set_camera_to(replace(camera, azimuth=camera.azimuth + 1.0))
+        self.view.camera_motion.move(replace(camera, azimuth=camera.azimuth + 1.0))
 
     def timed(self, act, count=EDITS):
         """Return the seconds from each act to its finished frame."""

@@ -13,7 +13,7 @@ from typing import ClassVar
 import numpy as np
 
 from qovr_app.style.theme import Rgb
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, Flags
 from qovr_core.fields import FIELDS, Field
 from qovr_core.registry import Record, Registry
 
@@ -69,7 +69,7 @@ def colour_sources() -> dict[str, Field | Pattern]:
     return {**FIELDS, **PATTERNS}
 
 
-def zebra_is_light(normals: Array, toward: Array) -> Array:
+def zebra_is_light(normals: Array, toward: Array) -> Flags:
     """Return whether the reflection of the line of sight falls into a light stripe.
 
     Parameters
@@ -82,7 +82,8 @@ def zebra_is_light(normals: Array, toward: Array) -> Array:
     (k,) bool
     """
     up = 2 * np.einsum("kd,kd->k", normals, toward) * normals[:, 1] - toward[:, 1]
-    return np.abs(np.degrees(np.arccos(np.clip(up, -1, 1))) / STRIPE % 1 - 0.5) > 0.25
+    is_light: Flags = np.abs(np.degrees(np.arccos(np.clip(up, -1, 1))) / STRIPE % 1 - 0.5) > 0.25
+    return is_light
 
 
 def isophote_parts(normals: Array, toward: Array) -> Array:
@@ -93,7 +94,8 @@ def isophote_parts(normals: Array, toward: Array) -> Array:
     facing = np.clip(np.abs(np.einsum("kd,kd->k", normals, toward)), 0, 1)
     bands = np.floor(np.degrees(np.arccos(facing)) / BAND)
     last = _BANDS - 1
-    return np.minimum(bands, last) / last
+    parts: Array = np.minimum(bands, last) / last
+    return parts
 
 
 PATTERNS.register(
