@@ -32,7 +32,15 @@ def document_arrays(document: Document) -> tuple[Array, Array, Array]:
 
 
 def curve_network(document: Document) -> CurveNetwork:
-    """Return the curves C_i(u) and K_j(v) of (42) and (43), as the formulation computes them."""
+    """Return the curves C_i(u) and K_j(v) of (42) and (43), as the formulation computes them.
+
+    Examples
+    --------
+    >>> net = [[[j, i, 0] for j in range(5)] for i in range(5)]
+    >>> network = curve_network(Document(net))
+    >>> network.rows[4][[0, -1]].tolist()  # C_4 begins at P_{4,1} and ends at P_{4,3}
+    [[1.0, 4.0, 0.0], [3.0, 4.0, 0.0]]
+    """
     rows, columns = network_curves(*document_arrays(document), document.formulation.kernel_decimals)
     return CurveNetwork(rows, columns)
 
@@ -43,6 +51,13 @@ def build_patch(document: Document) -> Patch:
     Raises
     ------
     EvaluationError : a knot so close to 0 or 1, or points so large, that coordinates overflow
+
+    Examples
+    --------
+    >>> net = [[[j, i, 0] for j in range(5)] for i in range(5)]
+    >>> patch = build_patch(Document(net, formulation="interpolating"))
+    >>> patch.degree, patch.points([0, 1], [0]).tolist()
+    ((4, 4), [[[1.0, 1.0, 0.0]], [[3.0, 1.0, 0.0]]])
     """
     with np.errstate(all="ignore"):  # what overflows is refused just below, in words
         coefficients = document.formulation.build(*document_arrays(document))

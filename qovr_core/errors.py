@@ -15,6 +15,12 @@ class DocumentError(QovrError):
     place : where it stands, in the document's own words, such as ``control_points[3][1][2]``
     found : what stands there
     expected : what would be right
+
+    Examples
+    --------
+    >>> error = DocumentError("row_knots[2].r", "1.5", "a number strictly between 0 and 1")
+    >>> print(error)
+    row_knots[2].r is 1.5; expected a number strictly between 0 and 1
     """
 
     def __init__(self, place: str, found: str, expected: str) -> None:

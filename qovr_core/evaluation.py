@@ -40,6 +40,13 @@ class Evaluation:
     Raises
     ------
     EvaluationError : the coordinates are not finite in double precision
+
+    Examples
+    --------
+    >>> net = [[[j, i, 0] for j in range(5)] for i in range(5)]
+    >>> evaluation = Evaluation(Document(net, formulation="interpolating", samples=(4096, 4096)))
+    >>> evaluation.degree, evaluation.flat_axes  # no sample is kept for these
+    ((4, 4), ('z',))
     """
 
     def __init__(self, document: Document) -> None:

@@ -61,6 +61,16 @@ class Formulation(Record):
     Raises
     ------
     ValueError : the kernels are cut, so that the surface is a step function of its knots, and no slope is given
+
+    Examples
+    --------
+    >>> [str(formulation) for formulation in FORMULATIONS.values()]
+    ['published', 'double-sum', 'interpolating']
+    >>> def halved(net, row_knots, column_knots):
+    ...     return Formulation.INTERPOLATING.build(net, row_knots, column_knots) / 2
+    >>> with FORMULATIONS.register(Formulation("halved", "Half of the interpolating surface.", halved)):
+    ...     list(FORMULATIONS)
+    ['published', 'double-sum', 'interpolating', 'halved']
     """
 
     name: str

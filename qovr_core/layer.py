@@ -4,7 +4,11 @@ from enum import StrEnum
 
 
 class Layer(StrEnum):
-    """The two surfaces of an evaluation: as computed, and after the transformation T."""
+    """The two surfaces of an evaluation: as computed, and after the transformation T.
+
+    >>> Layer("raw"), str(Layer.TRANSFORMED)
+    (<Layer.RAW: 'raw'>, 'transformed')
+    """
 
     RAW = "raw"
     TRANSFORMED = "transformed"

@@ -18,8 +18,8 @@ from PySide6.QtWidgets import (
 )
 
 from qovr_app.dialogs.buttons import without_icons
+from qovr_app.state.figure_options import SUFFIXES, FigureOptions
 from qovr_app.widgets.parts import named
-from qovr_app.view3d.figure.figure import SUFFIXES, FigureOptions
 
 _FIRST = FigureOptions()
 _MILLIMETRES = "millimetres"

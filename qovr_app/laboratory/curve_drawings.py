@@ -7,7 +7,7 @@ from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
-from qovr_app.view3d.figure.figure import FigureOptions
+from qovr_app.state.figure_options import FigureOptions
 from qovr_core import Document, FileError
 from qovr_core.laboratory.one_curve import OneCurve
 from qovr_core.laboratory.planes import View
@@ -74,15 +74,14 @@ class CurveDrawing:
 
     def _drawn(self, size: tuple[float, float]) -> Any:
         """Return the drawing as a matplotlib Figure of a size in inches."""
-        from qovr_core import curve_figures
-        from qovr_core.figures import draw_network
+        from qovr_core.figures import curves, draw_network
 
         if self.drawing is Drawing.NETWORK:
             return draw_network(self.document, size)
         draw = {
-            Drawing.ALL_PARTS: curve_figures.draw_curve,
-            Drawing.PARABOLAS: curve_figures.draw_parabolas,
-            Drawing.KNOTS: curve_figures.draw_knots,
-            Drawing.SENSITIVITY: curve_figures.draw_sensitivity,
+            Drawing.ALL_PARTS: curves.draw_curve,
+            Drawing.PARABOLAS: curves.draw_parabolas,
+            Drawing.KNOTS: curves.draw_knots,
+            Drawing.SENSITIVITY: curves.draw_sensitivity,
         }[self.drawing]
-        return draw(self.curve, curve_figures.Sheet(self.view, size, self.equal_scales))
+        return draw(self.curve, curves.Sheet(self.view, size, self.equal_scales))

@@ -160,7 +160,7 @@ class HeatMap(QWidget):
         draw_bar(painter, bar, colour_table(COLOURS), self._theme, marks)
         largest = self._influence.largest
         values = tick_positions(0.0, largest, max(1, int(bar.width() / _TICK_ROOM)))
-        for value, text in zip(values.tolist(), tick_texts(values), strict=True):
+        for value, text in zip(values.tolist(), tick_texts(values.tolist()), strict=True):
             tick = tick_line(bar, value / largest, _TICK)
             painter.setPen(QPen(QColor(*self._theme.axis), 1.0))
             painter.drawLine(tick)

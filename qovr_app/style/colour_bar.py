@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import numpy.typing as npt
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtCore import QLineF, QRectF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen
 
 from qovr_app.style.theme import Theme
@@ -42,8 +42,9 @@ def draw_bar(
 def tick_line(rect: QRectF, part: float, length: float) -> QLineF:
     """Return the tick at a part of a bar, on its right, or below where it lies; it ends where its number begins."""
     end = _across(rect, part).p2()
-    outward = QPointF(1.0, 0.0) if _stands(rect) else QPointF(0.0, 1.0)
-    return QLineF(end + BAR_FRAME * outward, end + (BAR_FRAME + length) * outward)
+    if _stands(rect):
+        return QLineF(end.x() + BAR_FRAME, end.y(), end.x() + BAR_FRAME + length, end.y())
+    return QLineF(end.x(), end.y() + BAR_FRAME, end.x(), end.y() + BAR_FRAME + length)
 
 
 def _stands(rect: QRectF) -> bool:

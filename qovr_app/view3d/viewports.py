@@ -1,96 +1,117 @@
-"""The viewports of a view, one for every layer that is shown: made when needed, by OpenGL or, where that fails, not."""
+"""The viewports of a view, one for every scene that is shown: made when needed, by OpenGL or, where that fails, not."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from qovr_app.view3d.gl.support import gl_support
-from qovr_app.view3d.interaction.navigator import Navigator
-from qovr_app.view3d.painter.viewport import PainterViewport
+from qovr_app.view3d.interaction.interactor import Interactor
+from qovr_app.view3d.painter_viewport import PainterViewport
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.viewport import Viewport
 
 _GAP = 1
 """Pixels between two viewports."""
 
 
-class Panes(QObject):
+class Viewports(QObject):
     """Keeps as many viewports side by side in a widget as are asked for, and reports what happens in any of them.
+
+    Parameters
+    ----------
+    picture : gives what a viewport, counted from the left, shows; None before there is anything
 
     Signals
     -------
-    navigator_made : the Navigator of a new viewport, whose intents somebody has to take, and the viewport's number
+    interactor_made : the Interactor of a new viewport, whose intents somebody has to take, and the viewport's number
     painted : a frame has reached the window
-    fell_back : once, why OpenGL is not used; the panes are those of the painter by then
+    fell_back : once, why OpenGL is not used; the viewports are those of the painter by then
     """
 
-    navigator_made = Signal(object, int)
+    interactor_made = Signal(object, int)
     painted = Signal()
     fell_back = Signal(str)
 
-    def __init__(self, parent: QWidget, picture: Callable[[int], Picture]) -> None:
+    def __init__(self, parent: QWidget, picture: Callable[[int], Picture | None]) -> None:
         super().__init__(parent)
-        self._widget, self._picture = parent, picture
-        self._viewports: dict[int, QWidget] = {}
-        self._navigators: list[Navigator] = []
-        self.uses_gl = gl_support().usable
-        if not self.uses_gl:
+        self._parent, self._picture = parent, picture
+        self._made: list[Viewport] = []
+        self._interactors: list[Interactor] = []
+        self._count = 0
+        self._uses_gl = gl_support().usable
+        if not self._uses_gl:
             QTimer.singleShot(0, self, lambda: self.fell_back.emit(gl_support().reason))
         self._layout = QHBoxLayout(parent)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(_GAP)
 
-    def __getitem__(self, number: int) -> QWidget:
-        return self._viewports[number]
+    @property
+    def uses_opengl(self) -> bool:
+        """Whether OpenGL draws, not the painter."""
+        return self._uses_gl
+
+    @property
+    def in_use(self) -> Sequence[Viewport]:
+        """Those that are asked for, from left to right."""
+        return self._made[: self._count]
 
     def arrange(self, count: int) -> None:
         """Have this many viewports in view."""
-        for k in range(count):
-            if k not in self._viewports:
-                self._viewports[k] = self._make_viewport(k)
-                self._layout.addWidget(self._viewports[k], 1)
-        for k, viewport in self._viewports.items():
-            viewport.setVisible(k < count)
+        self._count = count
+        while len(self._made) < count:
+            viewport = self._make()
+            self._made.append(viewport)
+            self._layout.addWidget(viewport.widget, 1)
+        for k, viewport in enumerate(self._made):
+            viewport.widget.setVisible(k < count)
         self._layout.activate()
 
     def lay_out(self) -> None:
         """Give the viewports their places in the widget now."""
-        self._layout.setGeometry(self._widget.rect())
+        self._layout.setGeometry(self._parent.rect())
 
-    def _make_viewport(self, number: int) -> QWidget:
-        make = self._gl_viewport if self.uses_gl else PainterViewport
-        viewport = make(self._picture(number), self._widget)
-        viewport.setAccessibleName("Surface")
+    def show(self) -> None:
+        """Bring the pictures of the moment into the viewports."""
+        for k, viewport in enumerate(self.in_use):
+            picture = self._picture(k)
+            if picture is not None:
+                viewport.set_picture(picture)
+
+    def _make(self) -> Viewport:
+        number = len(self._made)
+        viewport = self._make_gl() if self._uses_gl else PainterViewport(self._parent)
+        viewport.widget.setAccessibleName("Surface")
         viewport.painted.connect(self.painted)
-        navigator = Navigator(viewport, lambda: self._picture(number))
-        self._navigators.append(navigator)
-        self.navigator_made.emit(navigator, number)
+        interactor = Interactor(viewport, lambda: self._picture(number))
+        self._interactors.append(interactor)
+        self.interactor_made.emit(interactor, number)
         return viewport
 
-    def _gl_viewport(self, picture: Picture, parent: QWidget) -> QWidget:
-        from qovr_app.view3d.gl.viewport import GlViewport
+    def _make_gl(self) -> Viewport:
+        from qovr_app.view3d.gl_viewport import GlViewport
 
-        viewport = GlViewport(picture, parent)
+        viewport = GlViewport(self._parent)
         viewport.failed.connect(self._on_gl_failed)
         return viewport
 
     def _on_gl_failed(self, reason: str) -> None:
         """Go on with the painter, after the frame that failed."""
-        if self.uses_gl:
-            self.uses_gl = False
+        if self._uses_gl:
+            self._uses_gl = False
             QTimer.singleShot(0, self, lambda: self._fall_back(reason))
 
     def _fall_back(self, reason: str) -> None:
-        for navigator in self._navigators:
-            navigator.finish()
-        count = sum(not viewport.isHidden() for viewport in self._viewports.values())
-        self._navigators = []
-        for viewport in self._viewports.values():
-            self._layout.removeWidget(viewport)
-            viewport.hide()
-            viewport.deleteLater()
-        self._viewports = {}
-        self.arrange(count)
+        for interactor in self._interactors:
+            interactor.dragger.finish()
+        self._interactors = []
+        for viewport in self._made:
+            self._layout.removeWidget(viewport.widget)
+            viewport.widget.hide()
+            viewport.widget.deleteLater()
+        self._made = []
+        self.arrange(self._count)
+        self.show()
         self.fell_back.emit(reason)

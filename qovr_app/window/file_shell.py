@@ -11,9 +11,9 @@ from qovr_app.dialogs.export_dialog import ExportDialog
 from qovr_app.dialogs.figure_dialog import FigureDialog
 from qovr_app.state import requests
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.figure_options import FigureOptions
 from qovr_app.state.intents import MessageShown, Opened, Saved, Stamp
 from qovr_app.store import Store
-from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_app.window.application import NAME
 from qovr_app.window.preferences import Preferences
 from qovr_app.work.worker import Worker

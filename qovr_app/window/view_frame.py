@@ -15,12 +15,13 @@ from qovr_app.state.requests import CameraAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
+from qovr_app.view3d.scene.comparison import ComparisonView
+from qovr_app.view3d.scene.shown import Shown
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.presets import figure_cases
 
 if TYPE_CHECKING:
-    from qovr_app.view3d.figure.figure import FigureOptions
-    from qovr_app.view3d.scene.comparison import Rival
+    from qovr_app.state.figure_options import FigureOptions
     from qovr_app.view3d.view import View3D
 
 _MARK_MARGIN = 12
@@ -71,7 +72,7 @@ class ViewFrame(QWidget):
         self.stale_mark.setVisible(after.is_stale)
         self._place_mark()
         if self._view is not None:
-            show_in_view(self._view, before, after)
+            self._view.display(shown_of(after))
             if before is not None and before.file.opening != after.file.opening:
                 look_at_opened(self._view, after.file.preset)
 
@@ -92,7 +93,7 @@ class ViewFrame(QWidget):
 
     def focus_view(self) -> None:
         """Bring the keyboard to the view."""
-        self.view.viewports[0].setFocus(Qt.FocusReason.ShortcutFocusReason)
+        self.view.viewports[0].widget.setFocus(Qt.FocusReason.ShortcutFocusReason)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -114,7 +115,7 @@ class ViewFrame(QWidget):
         view = View3D(self)
         self._layout.addWidget(view)
         self.stale_mark.raise_()
-        show_in_view(view, None, self._store.state)
+        view.display(shown_of(self._store.state))
         self._listen(view)
         view.set_camera("paper", animated=False)
         return view
@@ -127,6 +128,7 @@ class ViewFrame(QWidget):
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
         view.point_selected.connect(lambda index: dispatch(intents.Selected(index)))
+        view.probed.connect(lambda place: dispatch(intents.Probed(place)))
         view.fell_back.connect(lambda reason: dispatch(intents.MessageShown(_without_opengl(reason))))
 
     def _make_herald(self) -> QWidget | None:
@@ -156,33 +158,26 @@ def look_at_opened(view: View3D, preset: str) -> None:
         view.fit(animated=False)
 
 
-def show_in_view(view: View3D, before: EditorState | None, after: EditorState) -> None:
-    """Show in the view what differs from before."""
-    if before is None or before.display != after.display:
-        view.set_settings(after.display)
-    if after.differs(before, "reference"):
-        reference = after.reference
-        view.set_reference(reference.surface if reference else None, reference.name if reference else "")
-    if after.differs(before, "knot"):
-        view.set_focus_knot(after.knot)
-    comparison = (after.shown_comparison, after.measured_point)
-    if before is None or (before.shown_comparison, before.measured_point) != comparison:
-        view.set_rival(_rival(after))
-    if after.evaluation is not None and after.differs(before, "evaluation", "shown_document"):
-        view.set_evaluation(after.evaluation, after.shown_document)
-    if after.differs(before, "selection"):
-        view.select(*(after.selection.last or (None, None)))
+def shown_of(state: EditorState) -> Shown:
+    """Return what the view shows of a state."""
+    reference = state.reference
+    return Shown(
+        evaluation=state.evaluation,
+        document=state.shown_document,
+        settings=state.display,
+        selected=state.selection.points,
+        last_selected=state.selection.last,
+        reference=reference.surface if reference else None,
+        reference_name=reference.name if reference else "",
+        knot=state.knot,
+        comparison=_comparison_of(state),
+        dragging=state.gesture != 0,
+    )
 
 
-def _rival(state: EditorState) -> Rival | None:
-    from qovr_app.view3d.scene.comparison import Rival
-
-    choice, point = state.shown_comparison, state.measured_point
+def _comparison_of(state: EditorState) -> ComparisonView | None:
+    choice = state.shown_comparison
     if choice is None or choice.placement is None:
         return None
-    surface = COMPARISON_SURFACES[choice.surface]
-    return Rival(
-        surface.title,
-        lambda document: surface.build(document.control_points, point, choice.weight),
-        choice.placement,
-    )
+    kind = COMPARISON_SURFACES[choice.surface]
+    return ComparisonView(kind, choice.placement, state.measured_point, choice.weight)

@@ -6,7 +6,6 @@ The sheet spells its headers as the published ones do, a Turkish capital I with 
 from __future__ import annotations
 
 TITLE_ROW = 2
-HEADER_ROW = 4
 FIRST_ROW = 5
 LAST_ROW_OF_A_SHEET = 1_048_576
 MOST_POINTS = LAST_ROW_OF_A_SHEET - FIRST_ROW + 1

@@ -49,6 +49,12 @@ class Curvature:
 
     The signs of mean and principal curvatures belong to the normal S_u x S_v: they are positive where the
     surface bends toward that normal.
+
+    Examples
+    --------
+    >>> saddle = Curvature(gaussian=np.array([-4.0]), mean=np.array([0.0]))
+    >>> saddle.largest.tolist(), saddle.smallest.tolist()
+    ([2.0], [-2.0])
     """
 
     gaussian: Array

@@ -8,7 +8,15 @@ Position = tuple[int | slice, int | slice]
 
 
 class Edge(StrEnum):
-    """The four edges of a patch."""
+    """The four edges of a patch.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> samples = np.arange(6).reshape(3, 2)  # indexed [iu, iv]
+    >>> samples[Edge("u=1").position].tolist(), samples[Edge.V0.position].tolist()
+    ([4, 5], [0, 2, 4])
+    """
 
     U0 = "u=0"
     U1 = "u=1"

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from qovr_core import configure, edits
+from support.view import change, choose
 
 pytest.importorskip("PySide6")
 
@@ -39,11 +40,14 @@ class Bench:
         self.view = View3D()
         self.painted = 0
         self.view.frame_painted.connect(self._count)
-        self.controller.evaluation_changed.connect(self.view.set_evaluation)
+        self.controller.evaluation_changed.connect(self.show)
         self.view.resize(*SIZE)
         self.view.show()
         self.controller.configure()
         self.settle()
+
+    def show(self, evaluation, document):
+        change(self.view, evaluation=evaluation, document=document)
 
     def _count(self):
         self.painted += 1
@@ -58,7 +62,7 @@ class Bench:
 
     def orbit(self, _k):
         camera = self.view.camera
-        self.view._on_camera_requested(replace(camera, azimuth=camera.azimuth + 1.0))
+        self.view.camera_motion.move(replace(camera, azimuth=camera.azimuth + 1.0))
 
     def timed(self, act, count=EDITS):
         """Return the seconds from each act to its finished frame."""
@@ -146,15 +150,15 @@ def coloured(bench):
     from qovr_core.presets import preset
 
     bench.session.apply("Set samples", edits.set_samples(bench.session.document, (101, 101)))
-    bench.view.set_reference(configure(preset("fig6c").document).transformed_patch, "fig6c")
-    bench.view.set_focus_knot(KnotPlace(Direction.ROWS, 4, "s"))
+    reference = configure(preset("fig6c").document).transformed_patch
+    change(bench.view, reference=reference, reference_name="fig6c", knot=KnotPlace(Direction.ROWS, 4, "s"))
     bench.settle()
     yield bench
     colour_by(bench, "height")
 
 
 def colour_by(bench, name):
-    bench.view.set_settings(replace(bench.view.settings, colour_by=name))
+    choose(bench.view, colour_by=name)
 
 
 @pytest.mark.parametrize("name", ["gaussian", "sensitivity", "zebra", "isophotes"])

@@ -10,10 +10,10 @@ import pytest
 from PIL import Image
 
 from qovr_core import SourceError, configure, curve_network
-from qovr_core.curve_axes import SERIES
-from qovr_core.curve_figures import Sheet, draw_curve, draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.edits import Direction
 from qovr_core.figures import draw_figure, draw_network, find_figures
+from qovr_core.figures.curve_axes import SERIES
+from qovr_core.figures.curves import Sheet, draw_curve, draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View, plane_of
 from qovr_core.presets import curve_case, figure_cases, network_case

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from qovr_core import DocumentError, QovrError
+from qovr_core import DocumentError, Formulation, QovrError
 from qovr_core.files.atomic import replacing
 
 
@@ -129,3 +129,13 @@ def values_of(document, field, report):
 
     axis = np.linspace(0, 1, 5)
     return field.values(configure(document).transformed_patch, axis, axis, None)
+
+
+def doubled(net, row_knots, column_knots):
+    return 2 * Formulation.INTERPOLATING.build(net, row_knots, column_knots)
+
+
+def write_formulation(evaluation, path, progress, options):
+    with replacing(path) as (draft,):
+        draft.write_text(f"{evaluation.document.formulation} {os.getpid()}")
+    progress(1.0)

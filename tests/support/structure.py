@@ -59,3 +59,53 @@ def circle(graph: Mapping[str, Iterable[str]]) -> list[str]:
         if found := walk(start):
             return found
     return []
+
+
+def room(module: str) -> str:
+    """Return the folder of a module, in dots."""
+    return module if PATHS[module].name == "__init__.py" else module.rpartition(".")[0]
+
+
+def imports_between_rooms() -> dict[str, set[str]]:
+    """Return which folder imports from which; a folder and one inside it are one."""
+    graph: dict[str, set[str]] = {}
+    for module, others in IMPORTS.items():
+        for other in others & PATHS.keys():
+            here, there = room(module), room(other)
+            if not f"{here}.".startswith(f"{there}.") and not f"{there}.".startswith(f"{here}."):
+                graph.setdefault(here, set()).add(there)
+    return graph
+
+
+def part(module: str, house: str) -> str:
+    """Return which folder or module directly in ``house`` a module belongs to; empty for what is not in the house."""
+    return module.removeprefix(f"{house}.").partition(".")[0] if module.startswith(f"{house}.") else ""
+
+
+def upward_imports(house: str, floors: tuple[str, ...]) -> list[str]:
+    """Return the imports from one part of a house to another that is on the same floor, or on a higher one.
+
+    Parameters
+    ----------
+    house : a package
+    floors : the names of its parts, the lowest floor first; a part that stands on none is found to import upward
+    """
+    floor = {name: height for height, names in enumerate(floors) for name in names.split()}
+    return [
+        f"{module} -> {other}"
+        for module, others in IMPORTS.items()
+        for other in sorted(others & PATHS.keys())
+        for here, there in [(part(module, house), part(other, house))]
+        if here and there and here != there
+        if not floor.get(there, len(floors)) < floor.get(here, -1)
+    ]
+
+
+def classes() -> dict[str, ast.ClassDef]:
+    """Return every class by its full name."""
+    return {
+        f"{module}.{node.name}": node
+        for module, tree in TREES.items()
+        for node in ast.walk(tree)
+        if isinstance(node, ast.ClassDef)
+    }

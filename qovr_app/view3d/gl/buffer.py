@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from PySide6.QtCore import QRect, QSize
+from PySide6.QtCore import QSize
+from PySide6.QtGui import QOpenGLContext
 from PySide6.QtOpenGL import QOpenGLFramebufferObject, QOpenGLFramebufferObjectFormat
+
+from qovr_app.view3d.gl import api
 
 _SAMPLES = 4
 
@@ -30,5 +33,4 @@ def smooth_edges(pixels: tuple[int, int], *, wanted: bool) -> Iterator[None]:
         yield
     finally:
         buffer.release()
-    whole = QRect(0, 0, *pixels)
-    QOpenGLFramebufferObject.blitFramebuffer(None, whole, buffer, whole)
+    api.copy_colours(buffer.handle(), QOpenGLContext.currentContext().defaultFramebufferObject(), pixels)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from OpenGL import GL
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
 
+from qovr_app.style.canvas import blank_image, painting
+from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl.buffer import sampled_buffer
-from qovr_app.view3d.gl.surface_item import Shot, SurfaceItem
-from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.view3d.gl.surface_item import SurfaceItem
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
@@ -46,12 +46,10 @@ def _tile_image(
     buffer = sampled_buffer((width, height))
     if not buffer.isValid() or not buffer.bind():
         raise RuntimeError("the driver gives no framebuffer for a figure")
-    GL.glViewport(0, 0, width, height)
-    GL.glClearColor(0, 0, 0, 0)
-    GL.glClear(GL.GL_COLOR_BUFFER_BIT | GL.GL_DEPTH_BUFFER_BIT)
+    api.use_viewport(width, height)
+    api.clear()
     matrix = _crop(pixels, tile) @ picture.camera.matrix(size)
-    item.show_picture(picture, Shot(matrix, picture.camera, pixels[0] / size[0]))
-    item.paint()
+    item.paint(picture, matrix, pixels[0] / size[0])
     image = buffer.toImage()
     buffer.release()
     return image

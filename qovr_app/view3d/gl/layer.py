@@ -2,67 +2,69 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
-from OpenGL import GL
 from PySide6.QtGui import QImage
 from PySide6.QtOpenGL import QOpenGLShaderProgram
 
+from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl.program import link_program
-from qovr_app.view3d.gl.texture import make_texture
+
+
+@dataclass
+class _Objects:
+    """What a layer has made in a context, and the size of the image that was loaded last."""
+
+    program: QOpenGLShaderProgram
+    array: int
+    texture: int
+    size: tuple[int, int] = (0, 0)
 
 
 class ImageLayer:
     """A texture the size of the viewport. Everything but the construction needs the context to be current."""
 
     def __init__(self) -> None:
-        self.forget()
+        self._objects: _Objects | None = None
 
     def forget(self) -> None:
         """Start without any GL object, as a new context does."""
-        self._program: QOpenGLShaderProgram | None = None
-        self._array = 0
-        self._texture = 0
-        self._size = (0, 0)
+        self._objects = None
 
     def release(self) -> None:
         """Destroy every GL object."""
-        if self._array:
-            GL.glDeleteVertexArrays(1, [self._array])
-            GL.glDeleteTextures([self._texture])
+        if self._objects is not None:
+            api.delete_vertex_array(self._objects.array)
+            api.delete_textures([self._objects.texture])
         self.forget()
 
-    def upload(self, image: QImage) -> None:
-        """Take over an image in the format ARGB32 premultiplied."""
-        if not self._array:
-            self._create()
-        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
-        GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4)
-        pixels = np.frombuffer(image.constBits(), dtype=np.uint8)
-        size = image.width(), image.height()
-        if size == self._size:
-            GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, *size, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels)
-        else:
-            self._size = size
-            GL.glTexImage2D(GL.GL_TEXTURE_2D, 0, GL.GL_RGBA8, *size, 0, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels)
+    def draw(self, image: QImage | None, *, blended: bool) -> None:
+        """Cover the viewport with an image, opaque or over what is there.
 
-    def draw(self, *, blended: bool) -> None:
-        """Cover the viewport with the image, opaque or over what is there."""
-        GL.glDisable(GL.GL_DEPTH_TEST)
-        if blended:
-            GL.glEnable(GL.GL_BLEND)
-            GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE_MINUS_SRC_ALPHA)
-        else:
-            GL.glDisable(GL.GL_BLEND)
-        self._program.bind()
-        GL.glBindVertexArray(self._array)
-        GL.glActiveTexture(GL.GL_TEXTURE0)
-        GL.glBindTexture(GL.GL_TEXTURE_2D, self._texture)
-        GL.glUniform1i(self._program.uniformLocation("u_image"), 0)
-        GL.glDrawArrays(GL.GL_TRIANGLES, 0, 3)
-        GL.glBindVertexArray(0)
-        self._program.release()
+        Parameters
+        ----------
+        image : in the format ARGB32 premultiplied; None for the one that was drawn last
+        """
+        if self._objects is None:
+            self._objects = _Objects(
+                link_program("layer"), api.make_vertex_array(), api.make_texture(api.Filtering.NEAREST)
+            )
+        objects = self._objects
+        if image is not None:
+            _load(objects, image)
+        api.draw_over(blended=blended)
+        objects.program.bind()
+        api.bind_vertex_array(objects.array)
+        api.bind_textures([objects.texture])
+        api.set_integer(objects.program.uniformLocation("u_image"), 0)
+        api.draw_triangle()
+        api.bind_vertex_array(0)
+        objects.program.release()
 
-    def _create(self) -> None:
-        self._program = link_program("layer")
-        self._array = int(GL.glGenVertexArrays(1))
-        self._texture = make_texture(GL.GL_NEAREST)
+
+def _load(objects: _Objects, image: QImage) -> None:
+    size = image.width(), image.height()
+    pixels = np.frombuffer(image.constBits(), dtype=np.uint8)
+    api.load_image(objects.texture, pixels, size, is_resized=size != objects.size)
+    objects.size = size

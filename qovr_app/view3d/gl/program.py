@@ -18,7 +18,8 @@ class ShaderError(RuntimeError):
 
 
 @cache
-def _source(name: str) -> str:
+def shader_source(name: str) -> str:
+    """Return the text of a shader by its file's name."""
     return files("qovr_resources").joinpath("shaders", name).read_text(encoding="utf-8")
 
 
@@ -41,7 +42,7 @@ def link_program(name: str, *, defines: Sequence[str] = (), attributes: Sequence
         (QOpenGLShader.ShaderTypeBit.Vertex, "vert"),
         (QOpenGLShader.ShaderTypeBit.Fragment, "frag"),
     ):
-        if not program.addShaderFromSourceCode(kind, head + _source(f"{name}.{suffix}")):
+        if not program.addShaderFromSourceCode(kind, head + shader_source(f"{name}.{suffix}")):
             raise ShaderError(f"{name}.{suffix}: {program.log().strip()}")
     for location, attribute in enumerate(attributes):
         program.bindAttributeLocation(attribute, location)

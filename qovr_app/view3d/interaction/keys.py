@@ -2,49 +2,52 @@
 
 from __future__ import annotations
 
-import numpy as np
 from PySide6.QtCore import Qt
 
+from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.camera import Camera
-from qovr_app.view3d.scene.scene import NetIndex
-from qovr_core.document import NET_SIZE
 
-_ARROWS = {
+AXIS_KEYS: dict[int, int] = {Qt.Key.Key_X: 0, Qt.Key.Key_Y: 1, Qt.Key.Key_Z: 2}
+"""While one of these is held, a dragged point stays on a line along that axis."""
+
+_ARROWS: dict[int, tuple[float, float]] = {
     Qt.Key.Key_Left: (-1.0, 0.0),
     Qt.Key.Key_Right: (1.0, 0.0),
     Qt.Key.Key_Up: (0.0, 1.0),
     Qt.Key.Key_Down: (0.0, -1.0),
 }
 _ZOOM = 1.15
-_ZOOMS = {Qt.Key.Key_Plus: _ZOOM, Qt.Key.Key_Equal: _ZOOM, Qt.Key.Key_Minus: 1 / _ZOOM}
+_ZOOMS: dict[int, float] = {Qt.Key.Key_Plus: _ZOOM, Qt.Key.Key_Equal: _ZOOM, Qt.Key.Key_Minus: 1 / _ZOOM}
 
 
-def next_point(selected: NetIndex | None, *, forward: bool) -> NetIndex | None:
-    """Return the next control point in the order P_00, P_01, ...; None past the ends, where focus moves
-    on."""
-    count = NET_SIZE * NET_SIZE
+def next_point(selected: NetIndex | None, shape: tuple[int, int], *, forward: bool) -> NetIndex | None:
+    """Return the next control point of a net of rows and columns in the order P_00, P_01, ...
+
+    None past the ends, where focus moves on.
+    """
+    rows, columns = shape
     if selected is None:
-        number = 0 if forward else count - 1
+        number = 0 if forward else rows * columns - 1
     else:
-        number = selected[0] * NET_SIZE + selected[1] + (1 if forward else -1)
-    return divmod(number, NET_SIZE) if 0 <= number < count else None
+        number = selected[0] * columns + selected[1] + (1 if forward else -1)
+    return divmod(number, columns) if 0 <= number < rows * columns else None
 
 
-def arrow_step(selected: NetIndex, key: int, camera: Camera) -> NetIndex | None:
-    """Return the neighbour in the net that lies in an arrow's direction on the screen.
+def arrow_step(selected: NetIndex, shape: tuple[int, int], key: int, camera: Camera) -> NetIndex | None:
+    """Return the neighbour in a net of rows and columns that lies in an arrow's direction on the screen.
 
-    The net is taken as it lies in the paper's data, j along x and i along y; None for other keys and off
-    the net.
+    The net is taken as it lies in the paper's data, j along x and i along y; None for other keys, the point itself
+    where the net ends.
     """
     if key not in _ARROWS:
         return None
     right, up, _ = camera.axes
-    arrow = np.array(_ARROWS[key])
-    steps = {(0, 1): (right[0], up[0]), (1, 0): (right[1], up[1])}
-    steps |= {(-i, -j): (-x, -y) for (i, j), (x, y) in steps.items()}
-    di, dj = max(steps, key=lambda step: float(arrow @ np.array(steps[step])))
+    across, upward = _ARROWS[key]
+    along = {(0, 1): (right[0], up[0]), (1, 0): (right[1], up[1])}
+    along |= {(-i, -j): (-x, -y) for (i, j), (x, y) in along.items()}
+    di, dj = max(along, key=lambda step: float(across * along[step][0] + upward * along[step][1]))
     i, j = selected[0] + di, selected[1] + dj
-    return (i, j) if 0 <= i < NET_SIZE and 0 <= j < NET_SIZE else selected
+    return (i, j) if 0 <= i < shape[0] and 0 <= j < shape[1] else selected
 
 
 def orbit_step(key: int) -> tuple[float, float] | None:

@@ -19,8 +19,7 @@ _TEXT_GAP = 5.0
 
 def backdrop_key(picture: Picture, size: Size) -> tuple[object, ...]:
     """Return what the backdrop depends on: while it stays equal, a drawn backdrop can be used again."""
-    limits = None if picture.scene is None else picture.scene.frame.limits.tobytes()
-    settings = picture.settings
+    limits, settings = picture.scene.frame.limits.tobytes(), picture.settings
     return size, picture.camera, limits, settings.axes, settings.theme, settings.scaling, picture.caption
 
 
@@ -36,7 +35,7 @@ def draw_backdrop(painter: QPainter, picture: Picture, size: Size, *, transparen
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     if not transparent:
         painter.fillRect(QRectF(0, 0, *size), QColor(*theme.background))
-    if picture.scene is not None and picture.settings.axes:
+    if picture.settings.axes:
         box = axes_box(picture.scene.frame, picture.camera, size)
         _draw_panes(painter, box.panes, theme, filled=not transparent)
         painter.setPen(QPen(QColor(*theme.grid), 1.0))

@@ -11,11 +11,11 @@ import numpy.typing as npt
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
 from qovr_app.style.ticks import tick_positions
-from qovr_app.view3d.painter.canvas import blank_image, painting
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
@@ -56,7 +56,7 @@ class _Bar:
 
 
 def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw the bar with its ticks and title; the picture has a scene. Where nothing has a value there is no bar."""
+    """Draw the bar with its ticks and title. Where nothing has a value there is no bar."""
     colouring = picture.colouring
     if math.isnan(colouring.limits[0]) and colouring.pattern is None:
         return
@@ -116,7 +116,9 @@ def draw_ticks(painter: QPainter, rect: QRectF, colouring: Colouring, theme: The
     low, high = colouring.limits
     values, parts = _ticks(rect, colouring)
     power = _common_power(max(abs(low), abs(high)))
-    texts = tick_texts(values / 10.0**power) if high > low else [significant_text(low / 10.0**power, _DIGITS)]
+    texts = (
+        tick_texts((values / 10.0**power).tolist()) if high > low else [significant_text(low / 10.0**power, _DIGITS)]
+    )
     for part, text in zip(parts.tolist(), texts, strict=True):
         tick = tick_line(rect, part, _TICK_LENGTH)
         painter.setPen(QPen(QColor(*theme.axis), 1.0))

@@ -7,11 +7,11 @@ import math
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from qovr_app.view3d.interaction.probing import Reading, reading_at
 from qovr_app.view3d.painter.note import draw_plate
 from qovr_app.view3d.painter.text import SMALL, draw_text, plain, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.probing import Parameters, Reading, reading_at
 from qovr_core.number_texts import significant_text
 
 _CORNER = (10.0, 34.0)
@@ -43,17 +43,16 @@ def readout_text(reading: Reading) -> str:
     return "".join(f"{line}\n" for line in lines)
 
 
-def draw_readout(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw the mark and the table of a picture that is probed."""
-    scene, theme = picture.scene, picture.theme
-    u, v = picture.probed
+def draw_readout(painter: QPainter, picture: Picture, probed: Parameters, size: Size) -> None:
+    """Draw the mark and the table of the point of the surface that is probed."""
+    (u, v), scene, theme = probed, picture.scene, picture.theme
     x, y, _ = picture.camera.project(scene.patch.points([u], [v])[0, 0], size).tolist()
     if math.isfinite(x):
         for colour, width in ((theme.rim, 4.0), (theme.ink, 1.6)):
             painter.setPen(QPen(QColor(*colour), width))
             painter.setBrush(QColor(0, 0, 0, 0))
             painter.drawEllipse(QPointF(x, y), _RING, _RING)
-    rows = readout_rows(reading_at(scene, picture.probed, picture.settings.colour_by))
+    rows = readout_rows(reading_at(scene, probed, picture.settings.colour_by))
     columns = max(len(numbers) for _, numbers in rows)
     plate = QRectF(*_CORNER, 2 * _PAD + _LABEL + columns * _COLUMN, 2 * _PAD + len(rows) * _ROW)
     draw_plate(painter, plate, theme)

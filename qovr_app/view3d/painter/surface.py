@@ -8,7 +8,7 @@ from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 
 from qovr_app.state.display import Style
-from qovr_app.view3d.painter.canvas import blank_image, painting
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.mesh import Counts, surface_vertices
 from qovr_app.view3d.scene.picture import Picture
@@ -40,7 +40,7 @@ def surface_image(picture: Picture, size: Size, pixels: tuple[int, int]) -> QIma
 def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
     """Paint the surface of a picture; the painter's units are logical pixels."""
     scene, settings = picture.scene, picture.settings
-    if scene is None or not settings.surface:
+    if not settings.surface:
         return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     counts = _counts(picture)
@@ -56,7 +56,8 @@ def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
 
 def _counts(picture: Picture) -> Counts:
     limit = _MOVING_CELLS if picture.moving else _RESTING_CELLS
-    return tuple(min(count, limit + 1) for count in picture.counts)
+    n, m = picture.counts
+    return min(n, limit + 1), min(m, limit + 1)
 
 
 def _cells(values: Array) -> Array:
@@ -102,7 +103,8 @@ def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
     normals = normals * np.where(normals[:, 2:] < 0, -1, 1)
     key = np.maximum(normals @ _KEY_LIGHT, 0)
     light = 1 + relief(picture.settings) * (0.52 + 0.44 * key + 0.10 * normals[:, 2] - 1)
-    return np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
+    lit: npt.NDArray[np.uint8] = np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
+    return lit
 
 
 def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> npt.NDArray[np.uint8]:
@@ -116,7 +118,8 @@ def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> n
 
 def _unit(vectors: Array) -> Array:
     """Return vectors (k, 3) brought to length 1; a vanishing one stays."""
-    return vectors / np.maximum(np.linalg.norm(vectors, axis=1, keepdims=True), np.finfo(float).tiny)
+    lengths: Array = np.linalg.norm(vectors, axis=1, keepdims=True)
+    return vectors / np.maximum(lengths, np.finfo(float).tiny)
 
 
 def _paint_points(painter: QPainter, picture: Picture, vertices: Array, seen: Array) -> None:

@@ -20,8 +20,8 @@ from PySide6.QtGui import (
     QTransform,
 )
 
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.theme import Rgb
-from qovr_app.view3d.painter.canvas import blank_image, painting
 
 SMALL, NORMAL = 11, 12
 """Pixel sizes: tick labels and point labels, titles."""
@@ -96,7 +96,7 @@ def draw_text(
     painter.setOpacity(opacity)
     if isinstance(painter.device(), QImage):
         ratio = painter.device().devicePixelRatioF()
-        image = _sprite(_Look(runs, colour, pixels, halo, upright), ratio)
+        image = _sprite(_Lettering(runs, colour, pixels, halo, upright), ratio)
         # A sprite between two pixels would be blurred.
         x, y = (round((value - _PAD) * ratio) / ratio for value in (x, y))
         painter.drawImage(QPointF(x, y), image)
@@ -145,7 +145,7 @@ def _draw_outlines(painter: QPainter, path: QPainterPath, colour: Rgb, halo: Rgb
 
 
 @dataclass(frozen=True)
-class _Look:
+class _Lettering:
     """A text with everything that decides its pixels, but for the device's ratio."""
 
     runs: Runs
@@ -156,16 +156,16 @@ class _Look:
 
 
 @lru_cache(maxsize=1024)
-def _sprite(look: _Look, ratio: float) -> QImage:
-    width, height = text_size(look.runs, look.pixels)
+def _sprite(text: _Lettering, ratio: float) -> QImage:
+    width, height = text_size(text.runs, text.pixels)
     image = blank_image((width + 2 * _PAD + 1, height + 2 * _PAD + 1), ratio)
-    pieces = _pieces(look.runs, look.pixels, QPointF(_PAD, _PAD))
+    pieces = _pieces(text.runs, text.pixels, QPointF(_PAD, _PAD))
     with painting(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if look.halo is not None:
-            painter.strokePath(_outline(pieces), _halo_pen(look.halo))
-        painter.setPen(QColor(*look.colour))
-        for point, font, text in pieces:
+        if text.halo is not None:
+            painter.strokePath(_outline(pieces), _halo_pen(text.halo))
+        painter.setPen(QColor(*text.colour))
+        for point, font, piece in pieces:
             painter.setFont(font)
-            painter.drawText(point, text)
-    return image.transformed(QTransform().rotate(-90)) if look.upright else image
+            painter.drawText(point, piece)
+    return image.transformed(QTransform().rotate(-90)) if text.upright else image

@@ -75,7 +75,7 @@ def axes_box(frame: Frame, camera: Camera, size: Size) -> AxesBox:
         along[:, axis] = units[axis]
         ticks = camera.project(along, size)[:, :2]
         on_screen = camera.project(ends, size)[:, :2]
-        edge = _axis_edge(TITLES[axis], on_screen, ticks, tick_texts(positions[axis]), middle)
+        edge = _axis_edge(TITLES[axis], on_screen, ticks, tick_texts(positions[axis].tolist()), middle)
         if edge is not None:
             edges.append(edge)
     return AxesBox(panes=camera.project(panes, size)[..., :2], grid=camera.project(grid, size)[..., :2], edges=edges)

@@ -114,15 +114,17 @@ class Camera:
         matrix = self.matrix(size)
         clip = points @ matrix[:, :3].T + matrix[:, 3]
         w = np.where(clip[..., 3:] > _BEHIND, clip[..., 3:], np.nan)
-        ndc = clip[..., :3] / w
-        return ndc * [size[0] / 2, -size[1] / 2, 1] + [size[0] / 2, size[1] / 2, 0]
+        ndc: Array = clip[..., :3] / w
+        seen: Array = ndc * [size[0] / 2, -size[1] / 2, 1] + [size[0] / 2, size[1] / 2, 0]
+        return seen
 
     def unproject(self, screen: Array, size: Size) -> Array:
         """Return the points (..., 3) of the unit space that appear at x, y, depth (..., 3)."""
-        ndc = (screen - [size[0] / 2, size[1] / 2, 0]) / [size[0] / 2, -size[1] / 2, 1]
+        ndc: Array = (screen - [size[0] / 2, size[1] / 2, 0]) / [size[0] / 2, -size[1] / 2, 1]
         inverse = np.linalg.inv(self.matrix(size))
-        clip = ndc @ inverse[:, :3].T + inverse[:, 3]
-        return clip[..., :3] / clip[..., 3:]
+        clip: Array = ndc @ inverse[:, :3].T + inverse[:, 3]
+        points: Array = clip[..., :3] / clip[..., 3:]
+        return points
 
     def ray(self, x: float, y: float, size: Size) -> tuple[Array, Array]:
         """Return a point (3,) and the unit direction (3,) of the line of sight through a pixel, away from
@@ -171,6 +173,17 @@ class Camera:
 NAMED_VIEWS = {"paper": (-54.0, 64.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "right": (0.0, 0.0)}
 """Azimuth and elevation by name. The paper's is MATLAB's view(36, 64), which counts azimuth from -y: 36 -
 90."""
+
+
+def named_view(name: str, camera: Camera) -> Camera:
+    """Return the camera looking in a named direction.
+
+    Raises
+    ------
+    KeyError : there is no such direction
+    """
+    azimuth, elevation = NAMED_VIEWS[name]
+    return replace(camera, azimuth=azimuth, elevation=elevation)
 
 
 @dataclass(frozen=True)

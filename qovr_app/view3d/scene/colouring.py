@@ -123,7 +123,8 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, mo
     def values(counts: Counts) -> Array:
         return scene.values(field, counts, moving=moving)
 
-    seen = np.stack([each.values(field, counts, moving=moving) for each in (scene, *scene.peers)])
+    alike = [scene, *(peer for peer in scene.peers if not _missing(peer, field))]
+    seen = np.stack([each.values(field, counts, moving=moving) for each in alike])
     limits, beyond = _limits(scene, settings, field, seen)
     table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
     return Colouring(table, title, limits, beyond, _remark(scene, field, limits), values)
@@ -174,7 +175,7 @@ def _name_beside(scene: Scene, need: Need | None) -> str:
 
 def _missing(scene: Scene, field: Field) -> str:
     """Return what has to be done before there is anything to show."""
-    if field.needs is Need.KNOT and scene.is_rival:
+    if field.needs is Need.KNOT and scene.is_comparison:
         return f"A {scene.name} surface has no internal knots"
     return field.missing if field.needs is not None and scene.beside(field.needs) is None else ""
 
@@ -183,6 +184,7 @@ def _remark(scene: Scene, field: Field, limits: Range) -> str:
     """Return what the values leave to be said."""
     if np.isnan(limits[0]):
         return SINGULAR_NOTE
-    if field.needs is Need.KNOT and not scene.knot_slope.coefficients.any():
+    slope = scene.knot_slope if field.needs is Need.KNOT else None
+    if slope is not None and not slope.coefficients.any():
         return f"{_name_beside(scene, field.needs)} has no effect on the {scene.document.formulation} surface"
     return ""

@@ -2,61 +2,67 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
 from qovr_app.state.display import Placement
+from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core import Document, ParametricSurface
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry.alignment import bounding_box
+from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
 
 OWN_NAME = "QOVR"
 
 _BOX_SAMPLES = 33
-"""Samples a side from which a rival's box is taken: the limits of the axes are rounded outward anyway."""
+"""Samples a side from which the other surface's box is taken: the limits of the axes are rounded outward anyway."""
 
 _LINES = 11
-"""Isoparametric lines each way of a rival over the surface: they show its form and let the surface be seen."""
+"""Isoparametric lines each way of a surface over another: they show its form and let the one below be seen."""
 
 _LINE_POINTS = 49
 
 
 @dataclass(frozen=True)
-class Rival:
+class ComparisonView:
     """A kind of surface to look at beside the document's, or over it.
 
     Parameters
     ----------
-    name : what the picture calls it
-    surface_of : gives the surface, in the document's units, of a document's control net
+    kind : how it is made of a control net
     placement : beside or over
+    point, weight : a control point, and its weight in a surface that has weights
     """
 
-    name: str
-    surface_of: Callable[[Document], ParametricSurface]
+    kind: ComparisonSurface
     placement: Placement
+    point: NetIndex = (0, 0)
+    weight: float = 1.0
 
     @property
     def is_beside(self) -> bool:
         """Whether it has a viewport of its own."""
         return self.placement is Placement.BESIDE
 
+    def made_of(self, document: Document) -> OtherSurface:
+        """Return the surface of a document's control net."""
+        return OtherSurface(self, self.kind.build(document.control_points, self.point, self.weight))
+
 
 @dataclass(frozen=True, eq=False)
-class RivalSurface:
-    """A rival's surface for one document, in the document's units.
+class OtherSurface:
+    """The surface to compare with, made of one control net.
 
     Parameters
     ----------
-    rival : what it is
-    surface : the surface
+    view : what it is and where it stands
+    surface : in the document's units
     """
 
-    rival: Rival
+    view: ComparisonView
     surface: ParametricSurface
 
     @cached_property
@@ -72,30 +78,30 @@ class RivalSurface:
         return read_only(np.concatenate([along_u, self.surface.points(few, many)]))
 
 
-def face_rival(own: Scene, opposite: RivalSurface) -> tuple[Scene, ...]:
-    """Return the scenes that show a surface and its rival: two, or one with the rival's lines over it.
+def compared(own: Scene, other: OtherSurface) -> tuple[Scene, ...]:
+    """Return the scenes that show a surface and another one: two, or one with the other's lines over it.
 
     Distances are those of each from the other; whatever else is shown, beside one another they share the limits of
     the colours, so that a colour means the same in both.
     """
-    rival, surface = opposite.rival, opposite.surface
-    with_rival = replace(own.companions, reference=surface, reference_name=rival.name)
-    if not rival.is_beside:
-        lines = read_only(own.frame.to_unit(opposite.isolines()))
-        return (replace(own, companions=with_rival, rival_name=rival.name, rival_lines=lines),)
+    title, surface = other.view.kind.title, other.surface
+    with_other = replace(own.companions, reference=surface, reference_name=title)
+    if not other.view.is_beside:
+        lines = read_only(own.frame.to_unit(other.isolines()))
+        return (replace(own, companions=with_other, lines_name=title, lines=lines),)
     without_knot = replace(own.companions, reference=own.surface, reference_name=OWN_NAME, knot=None)
     scenes = (
-        replace(own, companions=with_rival, name=OWN_NAME),
+        replace(own, companions=with_other, name=OWN_NAME),
         replace(
             own,
             companions=without_knot,
-            name=rival.name,
-            is_rival=True,
+            name=title,
+            is_comparison=True,
             patch=surface.transformed(own.frame.matrix),
             surface=surface,
-            surface_box=opposite.box,
+            surface_box=other.box,
         ),
     )
-    for scene, other in zip(scenes, scenes[::-1], strict=True):
-        scene.peers.append(other)
+    for scene, peer in zip(scenes, scenes[::-1], strict=True):
+        scene.peers.append(peer)
     return scenes

@@ -31,7 +31,8 @@ class Frame:
     @property
     def centre(self) -> Array:
         """The middle of the limits, (3,), which is the origin of the unit space."""
-        return self.limits.mean(axis=1)
+        centre: Array = self.limits.mean(axis=1)
+        return centre
 
     @property
     def half_extents(self) -> Array:

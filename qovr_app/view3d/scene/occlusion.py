@@ -10,7 +10,7 @@ import numpy as np
 
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.mesh import surface_vertices
-from qovr_core.arrays import Array, read_only
+from qovr_core.arrays import Array, Flags, read_only
 from qovr_core.geometry.differential import ParametricSurface
 
 _CELLS = 36
@@ -47,7 +47,7 @@ class Occluder:
         self._cell_high = np.maximum(np.maximum(a, b), np.maximum(c, d)).reshape(cells)
         self._low, self._high = self._cell_low.min(axis=2), self._cell_high.max(axis=2)
 
-    def hidden(self, points: Array) -> Array:
+    def hidden(self, points: Array) -> Flags:
         """Return which points (k, 3) of the unit space lie behind the surface, (k,) bool."""
         result = np.zeros(len(points), dtype=bool)
         marks = _seen(points, self._camera, self._size).T
@@ -62,10 +62,11 @@ class Occluder:
         return read_only(result)
 
 
-def _within(at: Array, low: Array, high: Array) -> Array:
+def _within(at: Array, low: Array, high: Array) -> Flags:
     """Return whether marks lie in rectangles on the screen and not certainly before what is in them."""
     inside = (at[0] >= low[0]) & (at[0] <= high[0]) & (at[1] >= low[1]) & (at[1] <= high[1])
-    return inside & (at[2] + _IN_FRONT < high[2])
+    within: Flags = inside & (at[2] + _IN_FRONT < high[2])
+    return within
 
 
 def _seen(points: Array, camera: Camera, size: Size) -> Array:
@@ -75,7 +76,7 @@ def _seen(points: Array, camera: Camera, size: Size) -> Array:
     return seen
 
 
-def _covers(a: Array, b: Array, c: Array, at: Array) -> Array:
+def _covers(a: Array, b: Array, c: Array, at: Array) -> Flags:
     """Return whether each triangle, corners (3, k), lies over its mark (3, k) on the screen, and nearer."""
     ab, ac, am = b - a, c - a, at - a
     area = ab[0] * ac[1] - ab[1] * ac[0]
@@ -84,4 +85,5 @@ def _covers(a: Array, b: Array, c: Array, at: Array) -> Array:
         s = (am[0] * ac[1] - am[1] * ac[0]) / area
         t = (ab[0] * am[1] - ab[1] * am[0]) / area
         inside = (s >= 0) & (t >= 0) & (s + t <= 1)
-        return inside & (s * ab[2] + t * ac[2] - am[2] > _IN_FRONT)
+        covers: Flags = inside & (s * ab[2] + t * ac[2] - am[2] > _IN_FRONT)
+    return covers

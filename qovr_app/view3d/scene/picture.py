@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_app.state.display import DisplaySettings, Style
+from qovr_app.state.intents import NetIndex
 from qovr_app.style.theme import Theme, theme_of
 from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
 from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene.patterns import PATTERNS
-from qovr_app.view3d.scene.scene import NetIndex, Scene
+from qovr_app.view3d.scene.probing import Parameters
+from qovr_app.view3d.scene.scene import Scene
 
 _BAR_ROOM = 104.0
 _AXES_ROOM = 58.0
@@ -28,7 +30,7 @@ class Picture:
 
     Parameters
     ----------
-    scene : None before the first evaluation
+    selected, last_selected, hovered : control points that are marked
     moving : draw on a coarser grid, because the next frame is near
     probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing
@@ -36,22 +38,22 @@ class Picture:
 
     settings: DisplaySettings
     camera: Camera
-    scene: Scene | None = None
-    selected: NetIndex | None = None
+    scene: Scene
+    selected: frozenset[NetIndex] = frozenset()
+    last_selected: NetIndex | None = None
     hovered: NetIndex | None = None
     moving: bool = False
-    probed: tuple[float, float] | None = None
+    probed: Parameters | None = None
     caption: str = ""
 
     @property
     def theme(self) -> Theme:
+        """The colours of everything but the surface."""
         return theme_of(self.settings.theme)
 
     @property
     def counts(self) -> Counts:
         """Vertices of the display grid along u and v."""
-        if self.scene is None:
-            return (2, 2)
         return display_counts(self.scene.document.samples, self.settings.style, moving=self.moving)
 
     @property
@@ -66,7 +68,7 @@ class Picture:
 
     @property
     def colouring(self) -> Colouring:
-        """What the colours say; the picture has a scene."""
+        """What the colours say."""
         return colouring_of(self.scene, self.settings, self.coloured_counts, moving=self.moving)
 
 

@@ -21,9 +21,6 @@ from qovr_core.layer import Layer
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
 
-NetIndex = tuple[int, int]
-"""Row i and column j of a control point."""
-
 
 @dataclass(frozen=True, eq=False)
 class Companions:
@@ -56,8 +53,8 @@ class Scene:
     surface_box, control_box : (3, 2) in the document's units
     companions : what it is looked at with
     name : of its surface where there are several, else empty
-    is_rival : whether the surface is not the document's, but one of the same control net that is compared with it
-    rival_name, rival_lines : a surface drawn over this one by its lines (k, n, 3) of the unit space; k is 0 without one
+    is_comparison : whether the surface is not the document's, but one of the same control net that is compared with it
+    lines_name, lines : another surface over this one, by its lines (k, n, 3) of the unit space; k is 0 without one
     peers : scenes beside this one in which a colour means the same
     """
 
@@ -71,53 +68,67 @@ class Scene:
     control_box: Array
     companions: Companions = field(default_factory=Companions)
     name: str = ""
-    is_rival: bool = False
-    rival_name: str = ""
-    rival_lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
+    is_comparison: bool = False
+    lines_name: str = ""
+    lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
     peers: list[Scene] = field(default_factory=list, init=False, repr=False)
     cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
-    def knot_slope(self) -> Patch:
-        """dS/dknot for the companions' knot, in the document's units."""
+    def knot_slope(self) -> Patch | None:
+        """dS/dknot for the companions' knot, in the document's units; None where there is no knot to move."""
         from qovr_core.laboratory.sensitivity import knot_sensitivity
 
-        return knot_sensitivity(self.evaluation, self.companions.knot, self.layer)
+        knot = self.companions.knot
+        if knot is None or self.is_comparison:
+            return None
+        return knot_sensitivity(self.evaluation, knot, self.layer)
 
     def beside(self, need: Need | None) -> ParametricSurface | None:
         """Return what a field with this need must be given; None where it needs nothing, or nothing is there."""
         if need is Need.REFERENCE:
             return self.companions.reference
-        has_slope = need is Need.KNOT and self.companions.knot is not None and not self.is_rival
-        return self.knot_slope if has_slope else None
+        return self.knot_slope if need is Need.KNOT else None
 
     def values(self, field: Field, counts: Counts, *, moving: bool) -> Array:
         """Return the values of a field on a grid, (n, m) float64 in the document's units; computed once."""
         finest = counts if field.finest is None else (field.finest[not moving],) * 2
         few = min(counts[0], finest[0]), min(counts[1], finest[1])
         if (field, few) not in self.cache:
-            beside = self.beside(field.needs)
-            self.cache[field, few] = field_values(field, self.surface, *map(parameters, few), beside)
+            u, v = (parameters(count) for count in few)
+            self.cache[field, few] = field_values(field, self.surface, u, v, self.beside(field.needs))
         return spread(self.cache[field, few], counts)
+
+    @property
+    def caption(self) -> str:
+        """What tells the scene from the ones beside it."""
+        text = ", ".join(part for part in (self.name, "" if self.is_comparison else str(self.layer)) if part)
+        return text[0].upper() + text[1:]
+
+    @property
+    def net_shape(self) -> tuple[int, int]:
+        """Rows and columns of the control net."""
+        rows, columns = self.document.control_points.shape[:2]
+        return rows, columns
 
     @cached_property
     def points(self) -> Array:
-        """The control points in the unit space, (5, 5, 3)."""
+        """The control points in the unit space, (k, l, 3): k rows of l."""
         return read_only(self.frame.to_unit(self.document.control_points))
 
     @cached_property
     def network(self) -> CurveNetwork:
-        """The ten curves of the document, in its own units."""
+        """The curves of the document, in its own units."""
         return curve_network(self.document)
 
     @cached_property
     def row_curves(self) -> Array:
-        """C_0(u) .. C_4(u) in the unit space, (5, k, 3)."""
+        """The curves C_i(u) in the unit space, (rows, ``CURVE_POINTS``, 3)."""
         return read_only(self.frame.to_unit(curve_points(self.network.rows, CURVE_POINTS)))
 
     @cached_property
     def column_curves(self) -> Array:
-        """K_0(v) .. K_4(v) in the unit space, (5, k, 3)."""
+        """The curves K_j(v) in the unit space, (columns, ``CURVE_POINTS``, 3)."""
         return read_only(self.frame.to_unit(curve_points(self.network.columns, CURVE_POINTS)))
 
 
@@ -141,7 +152,6 @@ def make_scene(
 ) -> Scene:
     """Return one layer of an evaluation in a frame, with the control points of a document or with its own."""
     matrix = frame.matrix if layer is Layer.RAW else frame.matrix @ evaluation.matrix
-    box = _surface_box(evaluation, layer)
     return Scene(
         layer=layer,
         frame=frame,
@@ -149,7 +159,7 @@ def make_scene(
         surface=evaluation.layer_patch(layer),
         evaluation=evaluation,
         document=document or evaluation.document,
-        surface_box=read_only(box),
+        surface_box=read_only(_surface_box(evaluation, layer)),
         control_box=evaluation.control_box,
         companions=companions or Companions(),
     )

@@ -57,9 +57,8 @@ def _is_coordinate(settings: DisplaySettings) -> bool:
 
 def line_periods(samples: Counts) -> tuple[tuple[float, float], tuple[float, float]]:
     """Return after how many samples along u and v a fine and a coarse parameter line comes."""
-    fine, coarse = (
-        tuple(float(_period(count - 1, lines)) for count in samples) for lines in (_FINE_LINES, _COARSE_LINES)
-    )
+    n, m = samples
+    fine, coarse = ((float(_period(n - 1, most)), float(_period(m - 1, most))) for most in (_FINE_LINES, _COARSE_LINES))
     return fine, coarse
 
 

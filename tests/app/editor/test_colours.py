@@ -11,6 +11,7 @@ from qovr_app.state.display import ColourRange
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.fields import FIELDS, Field
+from support.view import change
 
 
 def colouring(editor):
@@ -20,7 +21,7 @@ def colouring(editor):
 @pytest.mark.parametrize("by", list(colour_sources()))
 def test_every_command_of_colour_by_chooses_it_alone(editor, by):
     editor.trigger(f"colour_by_{by}")
-    assert editor.window.view.settings.colour_by == by
+    assert editor.window.view.shown.settings.colour_by == by
     assert [other for other in colour_sources() if editor.action(f"colour_by_{other}").isChecked()] == [by]
     assert editor.action(f"colour_by_{by}").statusTip()
 
@@ -104,7 +105,7 @@ def test_with_both_layers_the_one_on_the_net_is_pinned(editor):
 def test_the_sensitivity_is_that_of_the_knot_whose_field_had_the_keyboard_last(editor):
     editor.field("control_points.P_0_0.x").setFocus()
     editor.trigger("colour_by_sensitivity")
-    editor.window.view.set_focus_knot(None)  # however the window chose its first focus
+    change(editor.window.view, knot=None)  # however the window chose its first focus
     assert colouring(editor).note == Field.SENSITIVITY.missing
     editor.field("row_knots.C_4.s").setFocus()
     editor.settle()
@@ -146,11 +147,11 @@ def test_a_fixed_range_is_asked_for_and_checked(editor):
     assert "lower end is no number" in said[0][0]
     assert "has to lie above" in said[1][0]
     assert said[3][0] == ""
-    assert editor.window.view.settings.colour_range is ColourRange.FIXED
+    assert editor.window.view.shown.settings.colour_range is ColourRange.FIXED
     assert colouring(editor).limits == (-0.25, 0.5)
     editor.trigger("colour_range_robust")
     answer(editor, [("0", "9")], QDialogButtonBox.StandardButton.Cancel)
-    assert editor.window.view.settings.colour_range is ColourRange.ROBUST
+    assert editor.window.view.shown.settings.colour_range is ColourRange.ROBUST
     assert editor.action("colour_range_robust").isChecked()
     assert not editor.action("colour_range_fixed").isChecked()
 
@@ -161,15 +162,15 @@ def test_the_next_window_remembers_what_can_be_shown_again(make_editor):
     first.trigger("colour_range_robust")
     first.window.close()
     second = make_editor()
-    assert second.window.view.settings.colour_by == "gaussian"
-    assert second.window.view.settings.colour_range is ColourRange.ROBUST
+    assert second.window.view.shown.settings.colour_by == "gaussian"
+    assert second.window.view.shown.settings.colour_range is ColourRange.ROBUST
     assert second.action("colour_by_gaussian").isChecked()
     second.trigger("colour_by_distance")
     answer(second, [("0", "1")], QDialogButtonBox.StandardButton.Ok)
     second.window.close()
     third = make_editor()
-    assert third.window.view.settings.colour_by == "gaussian"
-    assert third.window.view.settings.colour_range is ColourRange.ROBUST
+    assert third.window.view.shown.settings.colour_by == "gaussian"
+    assert third.window.view.shown.settings.colour_range is ColourRange.ROBUST
 
 
 def test_the_probe_reads_and_is_copied(editor):

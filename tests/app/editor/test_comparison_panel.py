@@ -92,9 +92,9 @@ def test_the_selected_point_is_the_one_that_moves(editor):
 
 def test_the_weight_is_live_in_table_and_view(editor):
     editor.choose("laboratory.comparison.surface", "NURBS")
-    before = scenes(editor)[0].rival_lines
+    before = scenes(editor)[0].lines
     editor.type_into("laboratory.comparison.weight", "25")
-    assert not (scenes(editor)[0].rival_lines == before).all()
+    assert not (scenes(editor)[0].lines == before).all()
     assert measured(editor) == expected(editor.document, weight=25.0)
 
 
@@ -109,14 +109,14 @@ def test_a_weight_that_is_none_is_refused_in_words(editor, bad):
 
 def test_a_surface_lies_over_or_beside_qovr_or_nowhere(editor):
     (only,) = scenes(editor)
-    assert only.rival_name == "B-spline"
+    assert only.lines_name == "B-spline"
     editor.choose("laboratory.comparison.placement", "beside QOVR")
     assert [scene.name for scene in scenes(editor)] == ["QOVR", "B-spline"]
     editor.choose("laboratory.comparison.surface", "Catmull-Rom")
     assert [scene.name for scene in scenes(editor)] == ["QOVR", "Catmull-Rom"]
     editor.choose("laboratory.comparison.placement", "not in the view")
     (only,) = scenes(editor)
-    assert only.rival_name == ""
+    assert only.lines_name == ""
 
 
 def test_it_leaves_the_view_with_the_panel_and_comes_back_with_it(editor):
@@ -135,12 +135,12 @@ def test_the_distance_map_colours_both_and_gives_the_colours_back(editor):
     editor.choose("laboratory.comparison.placement", "beside QOVR")
     switch = editor.find("laboratory.comparison.distance_map", QAbstractButton)
     editor.click(switch.objectName())
-    assert view.settings.colour_by == "distance"
+    assert view.shown.settings.colour_by == "distance"
     pictures = [view.picture(k) for k in (0, 1)]
     assert [each.colouring.title for each in pictures] == ["Distance from B-spline", "Distance from QOVR"]
     assert pictures[0].colouring.limits == pictures[1].colouring.limits
     editor.click(switch.objectName())
-    assert view.settings.colour_by == "mean"
+    assert view.shown.settings.colour_by == "mean"
     editor.trigger("colour_by_distance")
     assert switch.isChecked()
     editor.trigger("colour_by_gaussian")
@@ -150,13 +150,13 @@ def test_the_distance_map_colours_both_and_gives_the_colours_back(editor):
 @pytest.mark.parametrize("leave", ["nowhere", "close"])
 def test_the_distance_map_ends_with_the_comparison(editor, leave):
     editor.click("laboratory.comparison.distance_map")
-    assert editor.window.view.settings.colour_by == "distance"
+    assert editor.window.view.shown.settings.colour_by == "distance"
     if leave == "close":
         editor.click("laboratory.close")
     else:
         editor.choose("laboratory.comparison.placement", "not in the view")
         assert not editor.find("laboratory.comparison.distance_map").isEnabled()
-    assert editor.window.view.settings.colour_by == "height"
+    assert editor.window.view.shown.settings.colour_by == "height"
 
 
 def test_the_numbers_can_be_copied_whole_and_in_part(editor):

@@ -14,9 +14,9 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, Q
 
 from qovr_app.laboratory.curve_drawings import Drawing
 from qovr_app.state.display import ThemeName
+from qovr_app.state.figure_options import FigureOptions
 from qovr_app.state.intents import FormulationChosen
 from qovr_app.style.palette import set_theme
-from qovr_app.view3d.figure.figure import FigureOptions
 from qovr_core import FileError, Formulation, curve_network
 from qovr_core.edits import Direction, KnotPlace, set_values
 from qovr_core.laboratory.one_curve import SAMPLES, curve_of

@@ -294,9 +294,9 @@ def test_numbers_can_be_selected_and_copied(editor):
 def test_the_view_shows_the_layer_that_lies_on_the_net(editor):
     editor.choose("surface.formulation", "interpolating")
     assert editor.action("layer_raw").isChecked()
-    assert editor.window.view.settings.layer == "raw"
+    assert editor.window.view.shown.settings.layer == "raw"
     editor.choose("surface.formulation", "published")
-    assert editor.window.view.settings.layer == "transformed"
+    assert editor.window.view.shown.settings.layer == "transformed"
     editor.trigger("layer_both")
     editor.choose("surface.formulation", "interpolating")
-    assert editor.window.view.settings.layer == "both"
+    assert editor.window.view.shown.settings.layer == "both"

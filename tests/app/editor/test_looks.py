@@ -32,7 +32,7 @@ def test_an_open_window_follows_light_and_dark(editor, themes):
         set_theme(name)
         editor.settle()
         assert theme_in_force().name is name
-        assert editor.window.view.settings.theme is name
+        assert editor.window.view.shown.settings.theme is name
         assert cell_colour(editor, "row_knots.C_4.r") == QColor(*theme_in_force().accent_cell)
         assert cell_colour(editor, "row_knots.C_4.t") == QColor(*theme_in_force().cell)
         due = editor.find("row_knots.set", QAbstractButton).palette().button().color()
@@ -108,7 +108,7 @@ def test_the_zones_can_be_put_away(editor):
 def test_a_point_selected_in_the_view_is_framed_and_its_field_selects_it(editor):
     editor.field("control_points.P_3_1.y").setFocus()
     editor.settle()
-    assert editor.window.view.picture().selected == (3, 1)
+    assert editor.window.view.picture().last_selected == (3, 1)
     editor.window.view.point_selected.emit((2, 2))
     QTest.qWait(10)
     assert editor.field("control_points.P_2_2.x")._is_marked

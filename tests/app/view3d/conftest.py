@@ -9,9 +9,10 @@ import numpy as np
 import pytest
 
 from qovr_app.state.display import DisplaySettings
-from qovr_core import Document, Formulation, configure
+from qovr_core import Document, Formulation
 from qovr_core.edits import set_formulation, set_point, set_samples
 from qovr_core.presets import preset
+from support.view import change, select
 
 
 def _expected_pixel(view: object, point: np.ndarray, viewport: int = 0) -> tuple[float, float]:
@@ -60,24 +61,34 @@ class Owner:
         self.hovers: list[object] = []
         self.reasons: list[str] = []
         view.point_dragged.connect(self._on_dragged)
-        view.drag_finished.connect(lambda gesture: self.ends.append(("finished", gesture)))
+        view.drag_finished.connect(self._on_finished)
         view.drag_cancelled.connect(self._on_cancelled)
-        view.point_selected.connect(self.selections.append)
+        view.point_selected.connect(self._on_selected)
         view.point_hovered.connect(self.hovers.append)
         view.fell_back.connect(self.reasons.append)
-        view.set_evaluation(configure(document))
+        change(view, document=document)
 
     def show(self, document: Document) -> None:
         self.document = document
-        self.view.set_evaluation(configure(document))
+        change(self.view, document=document)
 
     def _on_dragged(self, i: int, j: int, point: np.ndarray, gesture: int) -> None:
         self.drags.append((i, j, point, gesture))
-        self.show(set_point(self.document, i, j, point))
+        self.document = set_point(self.document, i, j, point)
+        change(self.view, document=self.document, dragging=True)
+
+    def _on_finished(self, gesture: int) -> None:
+        self.ends.append(("finished", gesture))
+        change(self.view, dragging=False)
 
     def _on_cancelled(self, gesture: int) -> None:
         self.ends.append(("cancelled", gesture))
-        self.show(self.before)
+        self.document = self.before
+        change(self.view, document=self.document, dragging=False)
+
+    def _on_selected(self, index: tuple[int, int] | None) -> None:
+        self.selections.append(index)
+        select(self.view, *([] if index is None else [index]))
 
 
 @pytest.fixture
@@ -100,7 +111,7 @@ def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., 
         view = View3D()
         views.append(view)
         view.resize(*size)
-        view.set_settings(DisplaySettings(**settings))
+        change(view, settings=DisplaySettings(**settings))
         owner = Owner(view, document)
         frames: list[None] = []
         view.frame_painted.connect(lambda: frames.append(None))
@@ -127,7 +138,7 @@ def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., 
 @pytest.fixture
 def no_opengl(monkeypatch: pytest.MonkeyPatch) -> None:
     """Views made here have no OpenGL."""
-    from qovr_app.view3d import viewports as panes
+    from qovr_app.view3d import viewports
     from qovr_app.view3d.gl import support as gl_support
 
-    monkeypatch.setattr(panes, "gl_support", lambda: gl_support.GlSupport(usable=False, reason="switched off"))
+    monkeypatch.setattr(viewports, "gl_support", lambda: gl_support.GlSupport(usable=False, reason="switched off"))

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from qovr_app.state.display import ColourRange, DisplaySettings, Scaling
+from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.style.theme import theme_of
-from qovr_app.view3d.painter.canvas import blank_image, painting
 from qovr_app.view3d.scene import scene as scenes
 from qovr_app.view3d.scene.colouring import SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
 from qovr_app.view3d.scene.mesh import spread

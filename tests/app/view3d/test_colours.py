@@ -12,6 +12,7 @@ from qovr_app.view3d.scene.patterns import DARK_STRIPE, LIGHT_STRIPE, colour_sou
 from qovr_core import Document, Evaluation
 from qovr_core.edits import Direction, KnotPlace, set_point
 from qovr_core.fields import FIELDS, Field, field_values
+from support.view import change, choose
 
 BARE = {
     "control_points": False,
@@ -53,7 +54,7 @@ def test_every_point_has_the_colour_of_its_value(
     make_view, document, renderer, by, reference, expected_pixel, colour_at
 ):
     view = from_above(make_view, document, colour_by=by)
-    view.set_reference(reference, "the same, edited")
+    change(view, reference=reference, reference_name="the same, edited")
     make_view.settle(view)
     image, (low, high) = view.image(), view.picture().colouring.limits
     diverging = by != "distance"
@@ -73,10 +74,10 @@ def test_every_point_has_the_colour_of_its_value(
 def test_facets_and_points_and_the_smooth_surface_agree(make_view, document, by, expected_pixel, colour_at):
     """Facets have their first corner's colour, so that the smooth surface is looked at there."""
     view = from_above(make_view, document, colour_by=by)
-    view.set_focus_knot(KnotPlace(Direction.COLUMNS, 3, "r"))
+    change(view, knot=KnotPlace(Direction.COLUMNS, 3, "r"))
     pictures = {}
     for style in (Style.FACETS, Style.SMOOTH):
-        view.set_settings(replace(view.settings, style=style))
+        choose(view, style=style)
         make_view.settle(view)
         pictures[style] = view.image()
     for iu in range(4, 28, 5):
@@ -102,7 +103,7 @@ def test_arrows_tell_that_values_lie_beyond(make_view, document, renderer, colou
     ground = view.picture().theme.background
     ends = {}
     for name, limits in {"all": (low, high), "less": (low + 0.1, high - 0.1)}.items():
-        view.set_settings(replace(view.settings, colour_range=ColourRange.FIXED, fixed_range=limits))
+        choose(view, colour_range=ColourRange.FIXED, fixed_range=limits)
         make_view.settle(view)
         image = view.image()
         ends[name] = [colour_at(image, rect.center().x(), y) for y in (rect.bottom() + 5, rect.top() - 5)]
@@ -122,7 +123,7 @@ def test_what_is_undefined_is_grey(make_view, renderer, expected_pixel, colour_a
     assert np.isfinite(view.picture().scene.values(Field.MEAN, (31, 31), moving=False)[1:]).all()
     image = view.image()
     assert np.ptp(seen(view, image, expected_pixel, colour_at, 0.9, 0.2)) > 5
-    view.set_settings(replace(view.settings, colour_by="distance"))
+    choose(view, colour_by="distance")
     make_view.settle(view)
     image = view.image()
     for u in (0.3, 0.9):
@@ -141,7 +142,7 @@ def test_zebra_stripes_lie_where_reflection_says_and_move_with_the_camera(
     view = make_view(document, **BARE, colour_by="zebra", size=(900, 800)).view
     pictures = []
     for azimuth in (-54.0, -40.0):
-        view._on_camera_requested(replace(view.camera, azimuth=azimuth))
+        view.camera_motion.move(replace(view.camera, azimuth=azimuth))
         make_view.settle(view)
         image, patch = view.image(), view.picture().scene.patch
         _, up, back = view.camera.axes
@@ -180,11 +181,11 @@ def test_isophotes_are_bands_of_equal_angle(make_view, document, renderer, expec
 @pytest.mark.parametrize("by", list(colour_sources()))
 def test_every_style_shows_every_field_and_pattern(make_view, document, renderer, style, by, reference):
     view = make_view(document, layer=LayerChoice.RAW, style=style, colour_by=by, theme=ThemeName.DARK).view
-    view.set_reference(reference)
-    view.set_focus_knot(KnotPlace(Direction.ROWS, 1, "s"))
+    change(view, reference=reference)
+    change(view, knot=KnotPlace(Direction.ROWS, 1, "s"))
     make_view.settle(view)
     whole = view.image()
-    view.set_settings(replace(view.settings, surface=False))
+    choose(view, surface=False)
     make_view.settle(view)
     without = view.image()
     differing = sum(
@@ -199,7 +200,7 @@ def test_switching_what_colours_redraws_within_two_frames(make_view, document, s
     owner.view.frame_painted.connect(lambda: frames.append(owner.view.picture().settings.colour_by))
     for by in ("gaussian", "zebra", "isophotes", "mean", "height"):
         frames.clear()
-        owner.view.set_settings(replace(owner.view.settings, colour_by=by))
+        choose(owner.view, colour_by=by)
         spin(lambda: bool(frames))
         spin(100)
         assert 1 <= len(frames) <= 2
@@ -208,7 +209,7 @@ def test_switching_what_colours_redraws_within_two_frames(make_view, document, s
 
 def test_a_pinned_reference_stays_what_it_was(make_view, document, reference):
     owner = make_view(document, **BARE, colour_by="distance")
-    owner.view.set_reference(reference, "pinned")
+    change(owner.view, reference=reference, reference_name="pinned")
     before = owner.view.picture().colouring.limits
     owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.6)))  # becomes what was pinned
     assert owner.view.picture().colouring.limits[1] < 1e-9
@@ -219,7 +220,7 @@ def test_a_pinned_reference_stays_what_it_was(make_view, document, reference):
 def test_a_figure_holds_the_colours_and_the_bar(make_view, document, renderer, tmp_path, colour_at):
     from PySide6.QtGui import QImage
 
-    from qovr_app.view3d.figure.figure import FigureOptions
+    from qovr_app.state.figure_options import FigureOptions
 
     view = make_view(document, layer=LayerChoice.RAW, colour_by="mean").view
     view.save_figure(tmp_path / "a.png", FigureOptions(view.width(), view.height(), None))

@@ -1,7 +1,6 @@
 """Figures: size, ground, proportions, vectors, and files that are whole or not there."""
 
 import re
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,8 +8,9 @@ from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
 
 from qovr_app.state.display import LayerChoice
-from qovr_app.view3d.figure.figure import FigureOptions
+from qovr_app.state.figure_options import FigureOptions
 from qovr_core import FileError
+from support.view import choose
 
 
 @pytest.fixture(params=["opengl", "painter"])
@@ -54,15 +54,13 @@ def view_mode():
 
 def test_a_large_figure_has_no_seams(view, tmp_path):
     """Beyond one tile the surface goes on where it left off."""
-    view.set_settings(
-        replace(
-            view.settings,
-            parameter_lines=False,
-            control_net=False,
-            control_points=False,
-            labels=False,
-            axes=False,
-        )
+    choose(
+        view,
+        parameter_lines=False,
+        control_net=False,
+        control_points=False,
+        labels=False,
+        axes=False,
     )
     view.set_camera("top", animated=False)
     view.save_figure(tmp_path / "a.png", FigureOptions(2600, 2100, None))

@@ -9,6 +9,7 @@ from qovr_app.view3d.painter.colour_bar import bar_rect
 from qovr_app.view3d.scene.camera import NAMED_VIEWS
 from qovr_core import configure
 from qovr_core.document import Document
+from support.view import change
 
 PLAIN = {
     "control_points": False,
@@ -89,7 +90,7 @@ def test_smooth_surfaces_are_lit_and_facets_are_not(make_view, renderer, expecte
     slopes = configure(document).patch.points(np.array([0.517]), np.array([8.5, 22.5]) / 30)[0]
     sums = {}
     for style in (Style.FACETS, Style.SMOOTH):
-        owner.view.set_settings(DisplaySettings(layer=LayerChoice.RAW, style=style, **PLAIN))
+        change(owner.view, settings=DisplaySettings(layer=LayerChoice.RAW, style=style, **PLAIN))
         make_view.settle(owner.view)
         image = owner.view.image()
         sums[style] = [sum(colour_at(image, *expected_pixel(owner.view, point))) for point in slopes]
@@ -124,8 +125,8 @@ def test_every_part_can_be_switched(make_view, document, renderer, part):
     camera = owner.view.camera
     images = []
     for shown in (False, True):
-        owner.view.set_settings(DisplaySettings(layer=LayerChoice.RAW, **{part: shown}))
-        owner.view._on_camera_requested(camera)
+        change(owner.view, settings=DisplaySettings(layer=LayerChoice.RAW, **{part: shown}))
+        owner.view.camera_motion.move(camera)
         make_view.settle(owner.view)
         images.append(pixels_of(owner.view.image()))
     changed = (np.abs(images[0] - images[1]).max(axis=-1) > 20).sum()

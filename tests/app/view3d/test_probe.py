@@ -9,10 +9,10 @@ from PySide6.QtGui import QMouseEvent
 from PySide6.QtWidgets import QApplication
 
 from qovr_app.state.display import LayerChoice, Scaling
-from qovr_app.view3d.interaction.probing import place_under, reading_at
 from qovr_app.view3d.painter.readout import readout_rows, readout_text
 from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
 from qovr_app.view3d.scene.mesh import surface_vertices
+from qovr_app.view3d.scene.probing import parameters_under, reading_at
 from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import Evaluation
 from qovr_core.edits import Direction, KnotPlace, set_formulation
@@ -62,7 +62,7 @@ def facing(scene, camera, u, v):
 @pytest.mark.parametrize("camera", CAMERAS, ids=str)
 @pytest.mark.parametrize("layer", [Layer.RAW, Layer.TRANSFORMED])
 @pytest.mark.parametrize("name", ["fig6c", "fig8"])
-def test_the_place_under_a_projected_point_is_that_point(name, layer, camera):
+def test_the_parameters_under_a_projected_point_are_its_own(name, layer, camera):
     scene = scene_of(set_formulation(preset(name).document, "interpolating"), layer)
     shown = 0
     for u, v in np.random.default_rng(1).uniform(0.02, 0.98, (40, 2)):
@@ -72,7 +72,7 @@ def test_the_place_under_a_projected_point_is_that_point(name, layer, camera):
         away = (point - origin) @ direction
         if facing(scene, camera, u, v) < 0.05 or first_hit(scene, camera, x, y) < away - 0.01:
             continue  # seen edge on, or not at all
-        place = place_under(scene, camera, SIZE, x, y)
+        place = parameters_under(scene, camera, SIZE, x, y)
         found = scene.patch.points([place[0]], [place[1]])[0, 0]
         assert camera.project(found, SIZE)[:2] == pytest.approx((x, y), abs=1e-7)
         if (found - origin) @ direction < away - 0.01 and facing(scene, camera, *place) < 0.1:
@@ -87,7 +87,7 @@ def test_of_two_sheets_the_nearer_is_meant():
     hits = 0
     for x in np.linspace(250, 550, 20):
         for y in np.linspace(200, 400, 20):
-            place, first = place_under(scene, camera, SIZE, x, y), first_hit(scene, camera, x, y)
+            place, first = parameters_under(scene, camera, SIZE, x, y), first_hit(scene, camera, x, y)
             if place is None or facing(scene, camera, *place) < 0.05:
                 continue
             hits += 1
@@ -98,7 +98,7 @@ def test_of_two_sheets_the_nearer_is_meant():
 
 
 def test_beside_the_surface_there_is_nothing():
-    assert place_under(scene_of(FIG8), Camera(), SIZE, 3.0, 3.0) is None
+    assert parameters_under(scene_of(FIG8), Camera(), SIZE, 3.0, 3.0) is None
 
 
 def test_a_reading_is_in_the_documents_units():
@@ -165,7 +165,7 @@ def test_what_is_read_follows_the_surface_and_the_camera(make_view, document, ex
     x, y = expected_pixel(owner.view, Evaluation(document).patch.points([0.5], [0.5])[0, 0])
     move(viewport, x, y)
     before = owner.view.picture().probed
-    owner.view._on_camera_requested(owner.view.camera.orbited(20.0, 0.0))
+    owner.view.camera_motion.move(owner.view.camera.orbited(20.0, 0.0))
     after = owner.view.picture().probed
     assert after != before
     scene, size = owner.view.picture().scene, viewport.logical_size

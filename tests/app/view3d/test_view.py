@@ -14,10 +14,10 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMainWindow
 
 from qovr_app.state.display import DisplaySettings, LayerChoice, Projection, Scaling
-from qovr_app.view3d.interaction import turn
-from qovr_core import configure
+from qovr_app.view3d.interaction import camera_motion
 from qovr_core.edits import set_point, set_samples
 from qovr_core.presets import preset
+from support.view import change, select
 
 
 def wheel(viewport, at, notches):
@@ -89,7 +89,9 @@ def test_keys_turn_and_zoom(make_view, document):
 
 
 def test_a_named_view_is_reached_by_a_turn(make_view, document, spin, monkeypatch):
-    monkeypatch.setattr(turn, "_MILLISECONDS", 2000)  # so long that a busy machine sees the middle of it, too
+    monkeypatch.setattr(
+        camera_motion, "TURN_MILLISECONDS", 2000
+    )  # so long that a busy machine sees the middle of it, too
     view = make_view(document).view
     view.set_camera("front")
     spin(lambda: view.camera.elevation < 64)
@@ -109,7 +111,7 @@ def test_fit_shows_everything_again(make_view, document):
 
 def test_settings_change_projection_and_scaling(make_view, document):
     view = make_view(document).view
-    view.set_settings(DisplaySettings(projection=Projection.PERSPECTIVE, scaling=Scaling.EQUAL))
+    change(view, settings=DisplaySettings(projection=Projection.PERSPECTIVE, scaling=Scaling.EQUAL))
     assert view.camera.perspective
     assert np.ptp(view.picture().scene.frame.scale) == 0
 
@@ -136,18 +138,18 @@ def test_the_grid_is_coarse_in_motion_and_fine_at_rest(make_view, document, spin
 
 def test_the_selection_can_be_set_and_cleared(make_view, document):
     owner = make_view(document)
-    owner.view.select(3, 4)
-    assert owner.view.picture().selected == (3, 4)
-    owner.view.select(None)
-    assert owner.view.picture().selected is None
+    select(owner.view, (3, 4))
+    assert owner.view.picture().last_selected == (3, 4)
+    select(owner.view)
+    assert owner.view.picture().last_selected is None
     assert owner.selections == []
 
 
 @pytest.mark.parametrize("where", ["upload", "shader", "overlay"])
 def test_an_error_while_painting_leads_to_the_painter(make_view, document, monkeypatch, silenced, where):
+    from qovr_app.view3d import gl_viewport
     from qovr_app.view3d.gl import program as gl_program
-    from qovr_app.view3d.gl import surface_item
-    from qovr_app.view3d.gl import viewport as gl_viewport
+    from qovr_app.view3d.gl import surface_buffers
 
     def fail(*args, **kwargs):
         raise RuntimeError("the driver has had enough")
@@ -156,14 +158,14 @@ def test_an_error_while_painting_leads_to_the_painter(make_view, document, monke
     if not owner.view.uses_opengl:
         pytest.skip("there is no OpenGL here")
     if where == "shader":
-        monkeypatch.setattr(gl_program, "_source", lambda name: "void main() { this is no shader; }")
-        owner.view.set_settings(DisplaySettings(parameter_lines=False))
+        monkeypatch.setattr(gl_program, "shader_source", lambda name: "void main() { this is no shader; }")
+        change(owner.view, settings=DisplaySettings(parameter_lines=False))
     elif where == "upload":
-        monkeypatch.setattr(surface_item, "surface_vertices", fail)
+        monkeypatch.setattr(surface_buffers, "surface_vertices", fail)
         owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.4)))
     else:
         monkeypatch.setattr(gl_viewport, "draw_overlay", fail)
-        owner.view.select(1, 1)
+        select(owner.view, (1, 1))
     QTest.qWait(400)
     assert len(owner.reasons) == 1
     assert owner.reasons[0].startswith("OpenGL failed while drawing:")
@@ -173,7 +175,7 @@ def test_an_error_while_painting_leads_to_the_painter(make_view, document, monke
 
 
 def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, monkeypatch, silenced):
-    from qovr_app.view3d.gl import viewport as gl_viewport
+    from qovr_app.view3d import gl_viewport
 
     owner = make_view(document, layer=LayerChoice.BOTH)
 
@@ -181,7 +183,7 @@ def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, mo
         raise RuntimeError("lost")
 
     monkeypatch.setattr(gl_viewport, "draw_overlay", fail)
-    owner.view.select(1, 1)
+    select(owner.view, (1, 1))
     spin(lambda: bool(owner.reasons))
     spin(100)
     assert len(owner.reasons) == 1
@@ -239,7 +241,7 @@ def test_closed_views_are_gone(app, document, spin):
     gone = []
     for _ in range(3):
         view = View3D()
-        view.set_evaluation(configure(document))
+        change(view, document=document)
         view.show()
         spin(60)
         gone.append(weakref.ref(view))

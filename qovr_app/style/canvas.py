@@ -8,8 +8,6 @@ from contextlib import contextmanager
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QImage, QPagedPaintDevice, QPaintDevice, QPainter
 
-from qovr_app.view3d.scene.camera import Size
-
 
 @contextmanager
 def painting(device: QPaintDevice | QPagedPaintDevice) -> Iterator[QPainter]:
@@ -21,7 +19,7 @@ def painting(device: QPaintDevice | QPagedPaintDevice) -> Iterator[QPainter]:
         painter.end()
 
 
-def blank_image(size: Size, ratio: float, reused: QImage | None = None) -> QImage:
+def blank_image(size: tuple[float, float], ratio: float, reused: QImage | None = None) -> QImage:
     """Return a transparent image for logical pixels at a device pixel ratio; the reused one where it fits."""
     width, height = (max(1, round(side * ratio)) for side in size)
     image = reused

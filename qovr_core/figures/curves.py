@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.curve_axes import (
+from qovr_core.figures.curve_axes import (
     FONT,
     INK,
     PARTS,

@@ -1,30 +1,18 @@
-"""The paper's figures 1, 2 and 5 to 8, drawn by matplotlib with no display."""
+"""The paper's Figures 2 and 5 to 8, curve networks and surfaces in space, drawn by matplotlib with no display."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from qovr_core.construction import curve_network
-from qovr_core.curve_figures import draw_knots, draw_parabolas, draw_sensitivity
 from qovr_core.document import Document
-from qovr_core.errors import SourceError
 from qovr_core.evaluation import Evaluation
-from qovr_core.files.atomic import replacing
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import CURVE_DEGREE
-from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+from qovr_core.laboratory.one_curve import SAMPLES
 from qovr_core.layer import Layer
-from qovr_core.presets import curve_case, figure_cases, network_case
-
-FIGURE_FORMATS = ("png", "svg", "pdf")
-
-_CURVE_FIGURES = {"fig1a": draw_parabolas, "fig1b": draw_knots, "fig1c": draw_sensitivity}
-
-_NETWORK_FIGURE = "fig2"
 
 # MATLAB's view(36, 64) and view(0, 90): its azimuth is 90 degrees ahead of matplotlib's.
 _CAMERAS = {"paper": {"elev": 64.0, "azim": 36.0 - 90.0}, "top": {"elev": 90.0, "azim": 0.0 - 90.0}}
@@ -42,67 +30,6 @@ _NAMED_SAMPLE = {"C": 3 * len(SAMPLES) // 4, "K": len(SAMPLES) // 4}
 _EDGE_COLOR = (0.0, 0.0, 0.0, 0.55)
 _EDGE_POINTS = 0.15
 """Width of a facet's edge: at 100 facets across 90 mm it must stay finer than the facet."""
-
-
-def figure_names() -> tuple[str, ...]:
-    """Return the names of all figures in the paper's order."""
-    return (*_CURVE_FIGURES, _NETWORK_FIGURE, *figure_cases())
-
-
-def find_figures(only: Iterable[str]) -> list[str]:
-    """Return the names of the figures that are asked for in the paper's order, all of them where none is.
-
-    A name may also be that of several, as ``fig6`` for ``fig6a`` to ``fig6d``.
-
-    Raises
-    ------
-    SourceError : a name is no figure's
-    """
-    known = figure_names()
-    chosen: set[str] = set()
-    for name in only:
-        matching = {figure for figure in known if figure == name or figure.rstrip("abcd") == name}
-        if not matching:
-            raise SourceError(f"there is no figure '{name}'; expected one of {', '.join(known)}")
-        chosen |= matching
-    return [name for name in known if name in chosen or not chosen]
-
-
-def save_figure(name: str, path: Path, *, dpi: int = 300) -> None:
-    """Draw one of the paper's figures into a file of the kind that its suffix names, whole or not at all.
-
-    Parameters
-    ----------
-    name : one of ``figure_names()``
-    path : ends in ``.png``, ``.svg`` or ``.pdf``
-    dpi : resolution of a ``.png``
-
-    Raises
-    ------
-    FileError : the file cannot be written
-    """
-    write_figure(_draw(name), path, dpi=dpi)
-
-
-def write_figure(figure: Any, path: Path, *, dpi: float, transparent: bool = False) -> None:
-    """Write a matplotlib Figure as PNG, SVG or PDF, by the path's suffix, whole or not at all.
-
-    Raises
-    ------
-    FileError : the file cannot be written
-    """
-    kind = path.suffix.lower().removeprefix(".")
-    with replacing(path) as (draft,):
-        figure.savefig(draft, format=kind, dpi=dpi, transparent=transparent)
-
-
-def _draw(name: str) -> Any:
-    if name == _NETWORK_FIGURE:
-        return draw_network(network_case().document)
-    if name in _CURVE_FIGURES:
-        return _CURVE_FIGURES[name](OneCurve(*curve_case()))
-    case = figure_cases()[name]
-    return draw_figure(Evaluation(case.preset.document), layer=case.layer, camera=case.camera)
 
 
 def draw_figure(evaluation: Evaluation, *, layer: str, camera: str) -> Any:

@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from functools import partial
 
-from OpenGL import GL
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QImage, QOffscreenSurface, QOpenGLContext
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.style.canvas import blank_image, painting
+from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d import failures
+from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl import figure as gl_figure
 from qovr_app.view3d.gl.buffer import smooth_edges
 from qovr_app.view3d.gl.layer import ImageLayer
 from qovr_app.view3d.gl.support import gl_support, viewport_format
-from qovr_app.view3d.gl.surface_item import Shot, SurfaceItem
+from qovr_app.view3d.gl.surface_item import SurfaceItem
 from qovr_app.view3d.painter import surface as painter_surface
 from qovr_app.view3d.painter.backdrop import backdrop_key, draw_backdrop
-from qovr_app.view3d.painter.canvas import blank_image, painting
 from qovr_app.view3d.painter.overlay import draw_overlay
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
@@ -34,10 +35,10 @@ class GlViewport(QOpenGLWidget):
     painted = Signal()
     failed = Signal(str)
 
-    def __init__(self, picture: Picture, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setFormat(viewport_format(gl_support()))
-        self._picture = picture
+        self._picture: Picture | None = None
         self._surface = SurfaceItem()
         self._backdrop, self._overlay = ImageLayer(), ImageLayer()
         self._backdrop_key: object = None
@@ -46,6 +47,11 @@ class GlViewport(QOpenGLWidget):
         self._gl_things = (self._surface, self._backdrop, self._overlay)
         self.frameSwapped.connect(self.painted)
         self.destroyed.connect(partial(_release, self._gl_things))
+
+    @property
+    def widget(self) -> QWidget:
+        """The viewport itself, as a widget."""
+        return self
 
     def set_picture(self, picture: Picture) -> None:
         """Show another picture in the next frame."""
@@ -62,8 +68,7 @@ class GlViewport(QOpenGLWidget):
         return self.grabFramebuffer()
 
     def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
-        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical
-        pixels."""
+        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""
         if self.isValid() and not self._broken:
             self.makeCurrent()
             try:
@@ -75,52 +80,45 @@ class GlViewport(QOpenGLWidget):
         return painter_surface.surface_image(picture, size, pixels)
 
     def initializeGL(self) -> None:
-        try:
-            self._start()
-        except Exception as error:  # whatever a driver does, the view goes on without it
-            self._fail(error, "starting")
-
-    def paintGL(self) -> None:
-        if self._broken:
-            return
-        try:
-            self._paint_frame()
-        except Exception as error:
-            self._fail(error, "drawing")
-
-    def _start(self) -> None:
         """Begin with a new context, which knows nothing of what an earlier one was given."""
         self._backdrop_key = None
         for thing in self._gl_things:
             thing.forget()
 
+    def paintGL(self) -> None:
+        if self._broken:
+            return
+        try:
+            if self._picture is None:
+                red, green, blue = (channel / 255 for channel in theme_in_force().background)
+                api.clear(red, green, blue, 1.0)
+            else:
+                self._paint_frame(self._picture)
+        except Exception as error:  # whatever a driver does, the view goes on without it
+            self._fail(error, "drawing")
+
     def _fail(self, error: Exception, doing: str) -> None:
         self._broken = True
         self.failed.emit(failures.report(error, doing))
 
-    def _paint_frame(self) -> None:
-        picture, size, ratio = self._picture, self.logical_size, self.devicePixelRatioF()
-        key = (*backdrop_key(picture, size), ratio)
+    def _paint_frame(self, picture: Picture) -> None:
+        size, ratio = self.logical_size, self.devicePixelRatioF()
+        backdrop, key = None, (*backdrop_key(picture, size), ratio)
         if key != self._backdrop_key:
-            image = blank_image(size, ratio)
-            with painting(image) as painter:
+            backdrop, self._backdrop_key = blank_image(size, ratio), key
+            with painting(backdrop) as painter:
                 draw_backdrop(painter, picture, size)
-            self._backdrop.upload(image)
-            self._backdrop_key = key
         # Before the surface: a driver that draws on the same processor would be disturbed by the painting.
         self._overlay_image = blank_image(size, ratio, self._overlay_image)
         with painting(self._overlay_image) as painter:
             draw_overlay(painter, picture, size)
-        camera = picture.camera
-        self._surface.show_picture(picture, Shot(camera.matrix(size), camera, ratio))
         pixels = self._overlay_image.width(), self._overlay_image.height()
         # Without a graphics card several samples cost too much for motion: the picture at rest has them.
         with smooth_edges(pixels, wanted=not picture.moving and self.format().samples() < 2):
-            GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
-            self._backdrop.draw(blended=False)
-            self._surface.paint()
-        self._overlay.upload(self._overlay_image)
-        self._overlay.draw(blended=True)
+            api.clear()
+            self._backdrop.draw(backdrop, blended=False)
+            self._surface.paint(picture, picture.camera.matrix(size), ratio)
+        self._overlay.draw(self._overlay_image, blended=True)
 
 
 def _release(things: tuple[SurfaceItem | ImageLayer, ...]) -> None:

@@ -31,11 +31,11 @@ _MET = 1e-11
 
 _CURVATURES = (Field.GAUSSIAN, Field.MEAN, Field.LARGEST, Field.SMALLEST)
 
-Place = tuple[float, float]
-"""u and v."""
+Parameters = tuple[float, float]
+"""u and v of a point of the surface."""
 
 
-def place_under(scene: Scene, camera: Camera, size: Size, x: float, y: float) -> Place | None:
+def parameters_under(scene: Scene, camera: Camera, size: Size, x: float, y: float) -> Parameters | None:
     """Return the parameters of the frontmost point of the surface under a pixel; None beside the surface.
 
     Parameters
@@ -47,10 +47,10 @@ def place_under(scene: Scene, camera: Camera, size: Size, x: float, y: float) ->
     if starts.size == 0:
         return None
     origin, direction = camera.ray(x, y, size)
-    places, points = _meetings(scene, origin, direction, starts)
-    if places.size == 0:
+    met, points = _meetings(scene, origin, direction, starts)
+    if met.size == 0:
         return None
-    u, v = places[np.argmin((points - origin) @ direction)].tolist()
+    u, v = met[np.argmin((points - origin) @ direction)].tolist()
     return u, v
 
 
@@ -74,7 +74,8 @@ def _meetings(scene: Scene, origin: Array, direction: Array, starts: Array) -> t
     across = np.linalg.svd(direction[None])[2][1:]
     at = starts.copy()
     for _ in range(_MOST_STEPS):
-        point, su, sv = (scene.patch.derivative_at(*at.T, *order) for order in ((0, 0), (1, 0), (0, 1)))
+        u, v = at.T
+        point, su, sv = (scene.patch.derivative_at(u, v, *order) for order in ((0, 0), (1, 0), (0, 1)))
         missing, along_u, along_v = ((part @ across.T).T for part in (origin - point, su, sv))
         determinant = along_u[0] * along_v[1] - along_u[1] * along_v[0]
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -84,7 +85,7 @@ def _meetings(scene: Scene, origin: Array, direction: Array, starts: Array) -> t
         before, at = at, np.clip(at + step, 0.0, 1.0)
         if np.abs(at - before).max() <= _ROUNDING:
             break
-    points = scene.patch.derivative_at(*at.T, 0, 0)
+    points = scene.patch.derivative_at(at[:, 0], at[:, 1], 0, 0)
     met = (np.linalg.norm((points - origin) @ across.T, axis=1) <= _MET) & ((points - origin) @ direction > 0)
     return at[met], points[met]
 
@@ -109,14 +110,14 @@ class Reading:
     others: dict[Field, float]
 
 
-def reading_at(scene: Scene, place: Place, by: str) -> Reading:
-    """Return everything that is so at a place of a scene's surface.
+def reading_at(scene: Scene, parameters: Parameters, by: str) -> Reading:
+    """Return everything that is so at a point of a scene's surface.
 
     Parameters
     ----------
     by : the name of what the colours say: a field that needs a knot is as costly as its colours, and read only then
     """
-    u, v = place
+    u, v = parameters
 
     def values(fields: Iterable[Field]) -> dict[Field, float]:
         found = {field: field_values(field, scene.surface, [u], [v], scene.beside(field.needs)) for field in fields}

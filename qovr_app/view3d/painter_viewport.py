@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, QTimer, Signal
-from PySide6.QtGui import QImage, QPaintEvent
+from PySide6.QtGui import QColor, QImage, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.style.canvas import blank_image, painting
+from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d import failures
 from qovr_app.view3d.painter.backdrop import draw_backdrop
-from qovr_app.view3d.painter.canvas import blank_image, painting
 from qovr_app.view3d.painter.overlay import draw_overlay
 from qovr_app.view3d.painter.surface import paint_surface, surface_image
 from qovr_app.view3d.scene.camera import Size
@@ -20,10 +21,15 @@ class PainterViewport(QWidget):
 
     painted = Signal()
 
-    def __init__(self, picture: Picture, parent: QWidget | None = None) -> None:
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._picture = picture
+        self._picture: Picture | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
+
+    @property
+    def widget(self) -> QWidget:
+        """The viewport itself, as a widget."""
+        return self
 
     def set_picture(self, picture: Picture) -> None:
         """Show another picture in the next frame."""
@@ -37,20 +43,22 @@ class PainterViewport(QWidget):
 
     def image(self) -> QImage:
         """Return what is seen, freshly drawn."""
-        size = self.logical_size
+        size, picture = self.logical_size, self._picture
         image = blank_image(size, self.devicePixelRatioF())
+        if picture is None:
+            image.fill(QColor(*theme_in_force().background))
+            return image
         with painting(image) as painter:
-            draw_backdrop(painter, self._picture, size)
-            paint_surface(painter, self._picture, size)
-            draw_overlay(painter, self._picture, size)
+            draw_backdrop(painter, picture, size)
+            paint_surface(painter, picture, size)
+            draw_overlay(painter, picture, size)
         return image
 
     def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
-        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical
-        pixels."""
+        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""
         return surface_image(picture, size, pixels)
 
-    def paintEvent(self, event: QPaintEvent) -> None:  # noqa: ARG002
+    def paintEvent(self, _event: QPaintEvent) -> None:
         # Drawn on an image first: there the overlay's lettering is placed on whole pixels, as with OpenGL.
         with painting(self) as painter:
             try:

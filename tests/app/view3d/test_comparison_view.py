@@ -1,7 +1,5 @@
 """Another surface of the same control net beside the document's own, or over it."""
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
@@ -10,16 +8,19 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from qovr_app.state.display import LayerChoice, Placement, Style
-from qovr_app.view3d.figure.figure import FigureOptions
-from qovr_app.view3d.scene.comparison import Rival
+from qovr_app.state.figure_options import FigureOptions
+from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_core.edits import set_point
 from qovr_core.fields import Field
 from qovr_core.geometry.closest import closest_points
+from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES, ComparisonSurface
 from qovr_core.laboratory.splines import b_spline, bezier
+from support.view import change, choose
 
 
-def rival(placement, kind=b_spline, name="B-spline"):
-    return Rival(name, lambda document: kind(document.control_points), placement)
+def compared(placement):
+    return ComparisonView(COMPARISON_SURFACES["b-spline"], placement)
 
 
 @pytest.fixture(params=["opengl", "painter"])
@@ -32,39 +33,40 @@ def owner(request, make_view, document):
 def test_beside_it_has_a_viewport_with_its_name_and_the_same_camera_and_limits(owner):
     view = owner.view
     assert [view.picture(k).caption for k in range(len(view.viewports))] == [""]
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     assert [view.picture(k).caption for k in range(len(view.viewports))] == ["QOVR, raw", "B-spline"]
     own, other = (view.picture(k).scene for k in (0, 1))
     np.testing.assert_array_equal(own.frame.limits, other.frame.limits)
     view.set_camera("top", animated=False)
     assert view.picture(0).camera == view.picture(1).camera
-    view.set_rival(None)
+    change(view, comparison=None)
     assert len(view.viewports) == 1
     assert view.picture().scene.companions.reference is None
 
 
 def test_with_both_layers_it_stands_at_the_right_of_both(make_view, document):
     view = make_view(document, layer=LayerChoice.BOTH, size=(1200, 400)).view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     assert [view.picture(k).caption for k in range(3)] == ["QOVR, raw", "Transformed", "B-spline"]
 
 
 def test_the_limits_hold_what_reaches_beyond_the_net(owner, document):
     view = owner.view
 
-    def stretched(document):
-        return bezier(document.control_points).transformed(np.diag([3.0, 1.0, 1.0, 1.0]))
+    def stretched(net, _point, _weight):
+        return bezier(net).transformed(np.diag([3.0, 1.0, 1.0, 1.0]))
 
-    view.set_rival(Rival("Stretched", stretched, Placement.BESIDE))
+    kind = ComparisonSurface("stretched", "Stretched", "A surface that reaches beyond its net.", stretched)
+    change(view, comparison=ComparisonView(kind, Placement.BESIDE))
     assert view.picture().scene.frame.limits[0, 1] >= 12
-    view.set_rival(None)
+    change(view, comparison=None)
     assert view.picture().scene.frame.limits[0, 1] < 12
 
 
 @pytest.mark.parametrize("by", ["height", "mean", "distance"])
 def test_a_colour_means_the_same_in_both(make_view, document, by):
     view = make_view(document, layer=LayerChoice.RAW, size=(900, 480), style=Style.SMOOTH, colour_by=by).view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     pictures = [view.picture(k) for k in (0, 1)]
     assert pictures[0].colouring.limits == pictures[1].colouring.limits
     values = np.concatenate([each.colouring.values(each.counts).ravel() for each in pictures])
@@ -75,7 +77,7 @@ def test_a_colour_means_the_same_in_both(make_view, document, by):
 
 def test_distances_are_those_of_each_from_the_other(make_view, document):
     view = make_view(document, layer=LayerChoice.RAW, style=Style.SMOOTH, colour_by="distance").view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     own, other = (view.picture(k) for k in (0, 1))
     assert own.colouring.title == "Distance from B-spline"
     assert other.colouring.title == "Distance from QOVR"
@@ -87,13 +89,22 @@ def test_distances_are_those_of_each_from_the_other(make_view, document):
 
 def test_it_has_no_knots_to_be_sensitive_to(make_view, document):
     view = make_view(document, layer=LayerChoice.RAW, colour_by="sensitivity").view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     assert view.picture(1).colouring.note == "A B-spline surface has no internal knots"
+
+
+def test_the_colours_of_a_sensitivity_are_those_of_the_surface_that_has_the_knot(owner):
+    change(owner.view, knot=KnotPlace(Direction.ROWS, 2, "s"))
+    choose(owner.view, colour_by="sensitivity")
+    alone = owner.view.picture().colouring.limits
+    change(owner.view, comparison=compared(Placement.BESIDE))
+    assert owner.view.picture(0).colouring.limits == alone
+    assert owner.view.picture(1).colouring.note
 
 
 def test_an_edit_moves_both(owner, document):
     view = owner.view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     before = [view.picture(k).scene.surface.points([0.5], [0.5]) for k in (0, 1)]
     owner.show(set_point(document, 2, 2, (2.0, 2.0, 3.0)))
     after = [view.picture(k).scene.surface.points([0.5], [0.5]) for k in (0, 1)]
@@ -102,7 +113,7 @@ def test_an_edit_moves_both(owner, document):
 
 def test_a_point_can_be_dragged_in_either(owner, expected_pixel, spin):
     view = owner.view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     make_room = [viewport.width() for viewport in view.viewports]
     assert min(make_room) > 300
     viewport = view.viewports[1]
@@ -126,12 +137,12 @@ def test_over_it_is_lines_with_a_legend(owner, make_view):
     make_view.settle(view)
     ink = view.picture().theme.comparison
     assert near(view.image(), ink) == 0
-    view.set_rival(rival(Placement.OVER))
+    change(view, comparison=compared(Placement.OVER))
     assert len(view.viewports) == 1
     assert near(view.image(), ink) > 2000
     scene = view.picture().scene
-    assert scene.rival_name == "B-spline"
-    line = scene.frame.to_document(scene.rival_lines[0])
+    assert scene.lines_name == "B-spline"
+    line = scene.frame.to_document(scene.lines[0])
     np.testing.assert_allclose(line, b_spline(owner.document.control_points).points(np.linspace(0, 1, 49), [0.0])[:, 0])
     legend = view.image().copy(0, 0, round(120 * view.devicePixelRatioF()), round(60 * view.devicePixelRatioF()))
     assert near(legend, ink) > 20
@@ -139,7 +150,7 @@ def test_over_it_is_lines_with_a_legend(owner, make_view):
 
 def test_a_figure_shows_both(owner, tmp_path):
     view = owner.view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     view.save_figure(tmp_path / "both.png", FigureOptions(900, 480, None))
     image = QImage(str(tmp_path / "both.png"))
     halves = [image.copy(x, 0, 450, 480) for x in (0, 450)]
@@ -151,7 +162,7 @@ def test_a_figure_shows_both(owner, tmp_path):
 @pytest.mark.parametrize("style", Style)
 def test_every_style_draws_it(make_view, document, style):
     view = make_view(document, layer=LayerChoice.RAW, size=(900, 480), style=style).view
-    view.set_rival(rival(Placement.BESIDE))
+    change(view, comparison=compared(Placement.BESIDE))
     make_view.settle(view)
     image = view.viewports[1].image()
     background = np.array(view.picture().theme.background)
@@ -160,8 +171,8 @@ def test_every_style_draws_it(make_view, document, style):
 
 def test_the_probe_reads_the_surface_under_it(owner, spin):
     view = owner.view
-    view.set_settings(replace(view.settings, probe=True))
-    view.set_rival(rival(Placement.BESIDE))
+    choose(view, probe=True)
+    change(view, comparison=compared(Placement.BESIDE))
     spin(20)
     viewport, scene = view.viewports[1], view.picture(1).scene
     x, y, _ = view.camera.project(scene.patch.points([0.1], [0.1])[0, 0], viewport.logical_size)

@@ -1,0 +1,101 @@
+"""The lines over the surface: boxes, control net, curves, and the lines of another surface."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import dataclass
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from qovr_app.style.theme import Rgb
+from qovr_app.view3d.scene.frame import Frame
+from qovr_app.view3d.scene.picture import Picture
+from qovr_core.arrays import Array, Flags
+
+_PIECES = 8
+"""Pieces of a net or box edge: where the surface hides it is found to an eighth of its length."""
+
+COMPARISON_WIDTH = 1.2
+_NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
+_HIDDEN = 0.3
+"""Opacity of what the surface hides."""
+
+
+@dataclass(frozen=True, eq=False)
+class Lines:
+    """Polylines (k, n, 3) of the unit space that look alike; every ``straight`` pieces lie on one line."""
+
+    points: Array
+    colour: Rgb
+    width: float
+    straight: int = 1
+
+
+def lines_of(picture: Picture) -> list[Lines]:
+    """Return the lines to draw, lowest first."""
+    settings, scene, theme = picture.settings, picture.scene, picture.theme
+    found = []
+    if settings.control_box:
+        edges = _box_edges(scene.frame, scene.control_box)
+        found.append(Lines(edges, theme.accent, _BOX_WIDTH, _PIECES))
+    if settings.surface_box:
+        edges = _box_edges(scene.frame, scene.surface_box)
+        found.append(Lines(edges, theme.axis, _BOX_WIDTH, _PIECES))
+    if settings.control_net:
+        found += [Lines(_divided(net), theme.net, _NET_WIDTH, _PIECES) for net in _net_lines(scene.points)]
+    if settings.row_curves:
+        found.append(Lines(scene.row_curves, theme.row_curve, _CURVE_WIDTH))
+    if settings.column_curves:
+        found.append(Lines(scene.column_curves, theme.column_curve, _CURVE_WIDTH))
+    if len(scene.lines):
+        found.append(Lines(scene.lines, theme.comparison, COMPARISON_WIDTH))
+    return found
+
+
+def draw_lines(painter: QPainter, lines: Lines, seen: Array, hidden: Flags) -> None:
+    """Draw polylines at pixels (k, n, 2), dim where both ends of a piece are hidden, (k, n)."""
+    whole = np.isfinite(seen).all(axis=(1, 2))
+    seen, dim = seen[whole], (hidden[:, :-1] & hidden[:, 1:])[whole]
+    ends = np.ones((*dim.shape[:1], dim.shape[1] + 1), dtype=bool)
+    ends[:, 1:-1] = dim[:, 1:] != dim[:, :-1]
+    if lines.straight > 1:
+        ends[:, :: lines.straight] = True
+    for is_dim in (True, False):
+        ink = QColor(*lines.colour)
+        ink.setAlphaF(_HIDDEN if is_dim else 1.0)
+        painter.setPen(
+            QPen(ink, lines.width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
+        )
+        straight = []
+        for line, stops, dims in zip(seen.tolist(), ends, dim.tolist(), strict=True):
+            for start, stop in itertools.pairwise(np.flatnonzero(stops).tolist()):
+                if dims[start] != is_dim:
+                    continue
+                if lines.straight > 1:
+                    straight.append(QLineF(*line[start], *line[stop]))
+                else:
+                    run = [QPointF(x, y) for x, y in line[start : stop + 1]]
+                    painter.drawPolyline(QPolygonF(run))
+        painter.drawLines(straight)
+
+
+def _divided(corners: Array) -> Array:
+    """Return polylines (k, n, 3) with every straight piece cut into ``_PIECES``."""
+    part = np.arange(_PIECES)[:, None] / _PIECES
+    starts, ends = corners[:, :-1, None], corners[:, 1:, None]
+    pieces = (starts + (ends - starts) * part).reshape(len(corners), -1, 3)
+    return np.concatenate([pieces, corners[:, -1:]], axis=1)
+
+
+def _net_lines(points: Array) -> list[Array]:
+    """Return the rows and columns of a net (k, l, 3) as polylines: in one array where they are equally long."""
+    rows, columns = points, points.transpose(1, 0, 2)
+    return [np.concatenate([rows, columns])] if rows.shape == columns.shape else [rows, columns]
+
+
+def _box_edges(frame: Frame, box: Array) -> Array:
+    corners = np.array(list(itertools.product(*frame.to_unit(box.T).T)))
+    pairs = [(a, a | bit) for a in range(8) for bit in (1, 2, 4) if not a & bit]
+    return _divided(corners[np.array(pairs)])

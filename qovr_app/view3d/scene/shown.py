@@ -1,0 +1,75 @@
+"""Everything that a view is given to show, as one value."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from qovr_app.state.display import DisplaySettings
+from qovr_app.state.intents import NetIndex
+from qovr_app.view3d.scene.comparison import ComparisonView
+from qovr_app.view3d.scene.scene import Companions
+from qovr_core import Document, Evaluation, ParametricSurface
+from qovr_core.fields import FIELDS
+from qovr_core.geometry.knots import KnotPlace
+
+
+@dataclass(frozen=True, eq=False)
+class Shown:
+    """What is shown and how, apart from what belongs to the view alone: its camera and its mouse.
+
+    Parameters
+    ----------
+    evaluation : the surface; None where there is none yet
+    document : whose control points and curves are shown; None for the evaluation's own
+    settings : how it is shown
+    selected : the control points that are marked
+    last_selected : the one of them that was picked last; None where none is
+    reference : a surface in the document's units, from which distances are taken; None without one
+    reference_name : what to call it
+    knot : the knot to which the sensitivity is shown; None without one
+    comparison : another surface of the same control net beside the document's, or over it; None for none
+    dragging : a control point is being dragged, so that the limits of the axes stay where they are
+    """
+
+    evaluation: Evaluation | None = None
+    document: Document | None = None
+    settings: DisplaySettings = field(default_factory=DisplaySettings)
+    selected: frozenset[NetIndex] = frozenset()
+    last_selected: NetIndex | None = None
+    reference: ParametricSurface | None = None
+    reference_name: str = ""
+    knot: KnotPlace | None = None
+    comparison: ComparisonView | None = None
+    dragging: bool = False
+
+    @property
+    def companions(self) -> Companions:
+        """What the surface is looked at with."""
+        return Companions(self.reference, self.reference_name, self.knot)
+
+    @property
+    def viewports(self) -> int:
+        """How many viewports it takes: one a layer, and one for a surface beside them."""
+        is_beside = self.comparison is not None and self.comparison.is_beside
+        return len(self.settings.layer.layers) + is_beside
+
+    def differs_visibly(self, before: Shown) -> bool:
+        """Return whether something is seen that was not before, apart from the surface and its net."""
+        field = FIELDS.get(self.settings.colour_by)
+        shows_companions = self.settings.probe or (field is not None and field.needs is not None)
+        return (
+            self.settings != before.settings
+            or self.comparison != before.comparison
+            or (self.selected, self.last_selected) != (before.selected, before.last_selected)
+            or (shows_companions and self.companions_differ(before))
+        )
+
+    def companions_differ(self, before: Shown) -> bool:
+        """Return whether the surface is looked at with something else than before."""
+        named = (self.reference_name, self.knot) != (before.reference_name, before.knot)
+        return named or self.reference is not before.reference
+
+    @property
+    def net(self) -> Document | None:
+        """The document whose control net is shown."""
+        return self.document or (None if self.evaluation is None else self.evaluation.document)

@@ -1,0 +1,36 @@
+"""What every viewport can do, whoever draws it."""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+from PySide6.QtCore import SignalInstance
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.picture import Picture
+
+
+class Viewport(Protocol):
+    """A widget that shows a picture; ``painted()`` is emitted when a frame has reached the window."""
+
+    @property
+    def painted(self) -> SignalInstance: ...
+
+    @property
+    def widget(self) -> QWidget:
+        """The viewport itself, as a widget."""
+
+    @property
+    def logical_size(self) -> Size:
+        """Width and height in logical pixels, at least 1."""
+
+    def set_picture(self, picture: Picture) -> None:
+        """Show another picture in the next frame."""
+
+    def image(self) -> QImage:
+        """Return what is seen, freshly drawn."""
+
+    def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
+        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""

@@ -1,0 +1,22 @@
+"""A 3D view whose owner changes one thing at a time."""
+
+from dataclasses import replace
+
+from qovr_core import Evaluation
+
+
+def change(view, **changes):
+    """Show the same with these fields of Shown changed; ``document`` changes the surface and its net."""
+    if "document" in changes:
+        changes["evaluation"] = Evaluation(changes.pop("document"))
+    view.display(replace(view.shown, **changes))
+
+
+def choose(view, **settings):
+    """Show the same with these display settings changed."""
+    change(view, settings=replace(view.shown.settings, **settings))
+
+
+def select(view, *indices):
+    """Mark control points, the last one being the one that was picked last; none to mark none."""
+    change(view, selected=frozenset(indices), last_selected=indices[-1] if indices else None)
