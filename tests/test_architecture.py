@@ -65,8 +65,6 @@ HEADLESS = {
 
 STILL_LONG = {
     "qovr_app.state.intents",
-    "qovr_app.widgets.number_field",
-    "qovr_app.widgets.number_field.NumberField",
     "qovr_app.window.file_shell.FileShell",
 }
 
