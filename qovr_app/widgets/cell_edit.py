@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFocusEvent, QMouseEvent, QPainter, QPaintEvent
+from PySide6.QtGui import QColor, QFocusEvent, QFontMetrics, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
+from qovr_app.style.canvas import painting
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.cell import Marks, paint_cell
@@ -117,10 +118,10 @@ class CellEdit(QLineEdit):
     # Looks
 
     def sizeHint(self) -> QSize:
-        return self._size_for("0.0000")
+        return _size(self.fontMetrics(), "0.0000")
 
     def minimumSizeHint(self) -> QSize:
-        return self._size_for("0.00")
+        return _size(self.fontMetrics(), "0.00")
 
     def event(self, event: QEvent) -> bool:
         if event.type() in (QEvent.Type.Enter, QEvent.Type.Leave):
@@ -128,20 +129,7 @@ class CellEdit(QLineEdit):
         return super().event(event)
 
     def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        paint_cell(painter, QRectF(self.rect()), self._marks())
-        painter.end()
-        if self.hasFocus():
-            super().paintEvent(event)
-        else:
-            self._paint_text()
-
-    def _size_for(self, text: str) -> QSize:
-        metrics = self.fontMetrics()
-        return QSize(metrics.horizontalAdvance(text) + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
-
-    def _marks(self) -> Marks:
-        return Marks(
+        marks = Marks(
             is_pending=self.is_pending,
             is_bad=bool(self._error),
             is_warned=bool(self._warning),
@@ -149,6 +137,12 @@ class CellEdit(QLineEdit):
             has_focus=self.hasFocus(),
             is_hovered=self.underMouse(),
         )
+        with painting(self) as painter:
+            paint_cell(painter, QRectF(self.rect()), marks)
+        if self.hasFocus():
+            super().paintEvent(event)
+        else:
+            self._paint_text()
 
     def _paint_text(self) -> None:
         colours, painter = theme_in_force(), QPainter(self)
@@ -159,3 +153,7 @@ class CellEdit(QLineEdit):
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
             self.painted_text(self.width() - 2 * _PADDING),
         )
+
+
+def _size(metrics: QFontMetrics, text: str) -> QSize:
+    return QSize(metrics.horizontalAdvance(text) + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
