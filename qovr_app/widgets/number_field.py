@@ -5,14 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import (
+    QFocusEvent,
+    QGuiApplication,
+    QKeyEvent,
+    QKeySequence,
+    QMouseEvent,
+)
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.typed import is_block, typed_number
 from qovr_app.widgets.bursts import Bursts
-from qovr_app.widgets.cell_edit import CellEdit
+from qovr_app.widgets.number_cell import NumberCell
 from qovr_core import QovrError
-from qovr_core.number_texts import fitted_text, number_text
+from qovr_core.number_texts import number_text
 
 _STEP_DECIMALS = 12
 """A step is rounded to this many decimals, so that 0.1 + 0.2 is 0.3."""
@@ -25,7 +31,7 @@ _STEPS: dict[int, float] = {
 }
 
 
-class NumberField(CellEdit):
+class NumberField(NumberCell):
     """Shows a number exactly and lets another be typed.
 
     Its text is the shortest that reads back as the number. Text that differs from the shown number is the field's own:
@@ -42,12 +48,14 @@ class NumberField(CellEdit):
     value_edited : a valid number and its gesture, 0 for none
     refused : why the text is no number for this field; empty when a refusal no longer holds
     text_owned : whether the field has text of its own has changed
+    focused : the field has the keyboard now
     block_pasted : a spreadsheet's text of several cells
     """
 
     value_edited = Signal(float, int)
     refused = Signal(str)
     text_owned = Signal()
+    focused = Signal()
     block_pasted = Signal(str)
 
     def __init__(
@@ -55,28 +63,12 @@ class NumberField(CellEdit):
     ) -> None:
         super().__init__(parent)
         self._name, self._check, self._step_size = name, check, step
-        self._value, self._shown = 0.0, ""
-        self._is_unset = False
         self._bursts = Bursts(self)
+        self._selects_on_release = False
         self.textChanged.connect(self._on_text_changed)
         self.editingFinished.connect(self.commit)
 
     # The number
-
-    @property
-    def value(self) -> float:
-        """The number that was shown last, whatever is typed over it."""
-        return self._value
-
-    @property
-    def has_own_text(self) -> bool:
-        """Whether the field holds text that is not its number."""
-        return self.text() != self._shown
-
-    @property
-    def is_pending(self) -> bool:
-        """Whether what the field holds is not set."""
-        return self._is_unset or self.has_own_text
 
     def show_value(self, value: float, *, is_unset: bool = False) -> None:
         """Show a number; the field's own text stays where the number is the one it had."""
@@ -84,13 +76,7 @@ class NumberField(CellEdit):
             self._put(value)
         if is_unset != self._is_unset:
             self._is_unset = is_unset
-            self.refresh()
-
-    def painted_text(self, room: int) -> str:
-        if self.has_own_text:
-            return super().painted_text(room)
-        metrics = self.fontMetrics()
-        return fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room)
+            self._refresh()
 
     def revert(self) -> None:
         """Drop the field's own text."""
@@ -108,7 +94,8 @@ class NumberField(CellEdit):
         try:
             return self._check(typed_number(self.text()), self._name)
         except QovrError as error:
-            self.set_error(str(error))
+            self._error = str(error)
+            self._refresh()
             raise
 
     def commit(self) -> None:
@@ -125,8 +112,8 @@ class NumberField(CellEdit):
 
     def refuse(self, value: float, reason: str) -> None:
         """Hold the text as the field's own again, whose number was refused; ``value`` is the number that stays."""
-        self._value, self._shown = value, number_text(value)
-        self.set_error(reason)
+        self._value, self._shown, self._error = value, number_text(value), reason
+        self._refresh()
         self.text_owned.emit()
 
     def accept(self) -> None:
@@ -134,22 +121,21 @@ class NumberField(CellEdit):
         self._put(self.typed())
 
     def _put(self, value: float) -> None:
-        had_error = bool(self.error)
-        self._value, self._shown = value, number_text(value)
-        self.set_error("")
+        had_error = bool(self._error)
+        self._value, self._shown, self._error = value, number_text(value), ""
         self.setText(self._shown)
         self.setModified(False)
         if not self.hasFocus():
             self.setCursorPosition(0)
-        self.refresh()
+        self._refresh()
         if had_error:
             self.refused.emit("")
 
     def _on_text_changed(self) -> None:
-        if self.error:
-            self.set_error("")
+        if self._error:
+            self._error = ""
             self.refused.emit("")
-        self.refresh()
+        self._refresh()
         self.text_owned.emit()
 
     # Keys and mouse
@@ -185,6 +171,19 @@ class NumberField(CellEdit):
         self.selectAll()
         self.value_edited.emit(value, self._bursts.step())
 
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        super().mouseReleaseEvent(event)
+        if self._selects_on_release and not self.hasSelectedText():
+            self.selectAll()
+        self._selects_on_release = False
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._selects_on_release = event.reason() == Qt.FocusReason.MouseFocusReason
+        self.focused.emit()
+
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)
         self._bursts.end()
+        self.deselect()
+        self.setCursorPosition(0)
