@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
 
 from qovr_app.state.display import Placement
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import ComparisonChosen, DistanceMapSwitched
+from qovr_app.state.looking_intents import ComparisonChosen, DistanceMapSwitched
 from qovr_app.store import Dispatch
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html

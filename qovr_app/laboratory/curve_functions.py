@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.laboratory import pg
 from qovr_app.laboratory.plots import Plot
 from qovr_app.style.symbols import coloured
-from qovr_app.style.theme import Theme
+from qovr_app.style.theme import Rgb, Theme
 from qovr_core.arrays import Array
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import SAMPLES
@@ -56,7 +56,7 @@ class FunctionPlot(Plot):
             text.fill.setStyle(Qt.BrushStyle.SolidPattern)
 
     @property
-    def series(self) -> list:
+    def series(self) -> list[Rgb]:
         """The functions' colours."""
         return [self.colours.series[number] for number in self._colours]
 

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QBrush
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.laboratory import pg
 from qovr_app.laboratory.plots import Plot
 from qovr_app.style.symbols import coloured, symbol_html
-from qovr_app.style.theme import Theme
-from qovr_core.arrays import Array
+from qovr_app.style.theme import Rgb, Theme
+from qovr_core.arrays import Array, read_only
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
@@ -18,6 +21,7 @@ from qovr_core.laboratory.planes import Plane, View, plane_of
 _POINT, _RING, _DOT = 9, 15, 7
 _BLENDED_ALPHA = 90
 _ROOM_FOR_LABELS = 0.2
+_NOWHERE = read_only(np.empty((0, 2)))
 _ROOM_FOR_KNOTS = 380
 """From this width on the points' labels also name the knots without touching each other."""
 
@@ -28,8 +32,7 @@ class GeometryPlot(Plot):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("laboratory.curve.geometry", "The curve, its points and its three parabolas", parent)
         self.view_box.setDefaultPadding(_ROOM_FOR_LABELS)
-        self._curve: OneCurve | None = None
-        self._plane: Plane | None = None
+        self._drawn: tuple[OneCurve, Plane] | None = None
         self._polygon = self.make_line()
         self._auxiliary = [self.make_line(bounds=False) for _ in range(3)]
         self._blended = [self.make_line() for _ in range(3)]
@@ -42,6 +45,11 @@ class GeometryPlot(Plot):
         self._parabola_texts = [self.make_text() for _ in range(3)]
         self._point_htmls = [""] * 5
         self.view_box.sigResized.connect(self._on_resized)
+
+    @property
+    def plane(self) -> Plane | None:
+        """The plane in which the curve is drawn; None before there is one."""
+        return self._drawn and self._drawn[1]
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
@@ -62,39 +70,43 @@ class GeometryPlot(Plot):
         self._hover.setPen(self.pen(theme.background, 1))
         self._hover_parts.setPen(self.pen(theme.background, 1))
         for k, text in enumerate(self._parabola_texts):
-            text.setHtml(coloured(f"{symbol_html('Q', k)}(<i>{'rst'[k]}</i>)", parts[k]))
+            text.setHtml(coloured(f"{symbol_html('Q', str(k))}(<i>{'rst'[k]}</i>)", parts[k]))
         self._draw()
 
     def show_curve(self, curve: OneCurve, view: View) -> None:
         """Show a curve in a plane."""
-        self._curve = curve
-        self._plane = plane_of(curve.points, view)
-        for side, label in zip(("bottom", "left"), self._plane.labels, strict=True):
+        plane = plane_of(curve.points, view)
+        self._drawn = curve, plane
+        for side, label in zip(("bottom", "left"), plane.labels, strict=True):
             if label != self.getAxis(side).labelText:
                 self.setLabel(side, label)
         self._draw()
 
     def show_hover(self, u: float | None) -> None:
         """Mark the place of a parameter on the curve, and the three that are blended there; None takes marks away."""
-        if u is None or self._curve is None:
-            self._hover.setData([], [])
-            self._hover_parts.setData([], [])
+        if u is None or self._drawn is None:
+            self._hover.setData(pos=_NOWHERE)
+            self._hover_parts.setData(pos=_NOWHERE)
             return
-        places = self._curve.transformed([u])[0]
-        parts = np.concatenate([self._curve.parabola(p, [places[p]]) for p in range(3)])
-        self._hover.setData(pos=self._plane.drawn(self._curve.at([u])), brush=self.colours.ink)
-        self._hover_parts.setData(pos=self._plane.drawn(parts), brush=_brushes(self.colours.series[1:4]))
+        curve, plane = self._drawn
+        places = curve.transformed([u])[0]
+        parts = np.concatenate([curve.parabola(p, [places[p]]) for p in range(3)])
+        self._hover.setData(pos=plane.drawn(curve.at([u])), brush=self.colours.ink)
+        self._hover_parts.setData(pos=plane.drawn(parts), brush=_brushes(self.colours.series[1:4]))
 
-    def nearest(self, place: tuple[float, float]) -> float:
-        """Return the parameter whose point is drawn nearest to a place, as the eye measures it."""
+    def nearest(self, place: tuple[float, float]) -> float | None:
+        """Return the parameter whose point is drawn nearest to a place, as the eye measures it; None without one."""
+        if self._drawn is None:
+            return None
+        curve, plane = self._drawn
         pixel = np.array(self.view_box.viewPixelSize())
-        drawn = self._plane.drawn(self._curve.at(SAMPLES))
+        drawn = plane.drawn(curve.at(SAMPLES))
         return float(SAMPLES[np.argmin(np.linalg.norm((drawn - place) / pixel, axis=1))])
 
     def _draw(self) -> None:
-        if self._curve is None:
+        if self._drawn is None:
             return
-        curve, drawn = self._curve, self._plane.drawn
+        (curve, plane), drawn = self._drawn, self._drawn[1].drawn
         points = drawn(curve.points)
         _set(self._polygon, points)
         for p in range(3):
@@ -106,14 +118,13 @@ class GeometryPlot(Plot):
         _set(self._backward, drawn(curve.at(np.linspace(*fold.backward, 41))) if fold else points[:0])
         self._rings.setData(pos=drawn(curve.at(curve.landmarks)))
         self._points.setData(pos=points, brush=_brushes(self.colours.series))
-        self._place_texts()
+        self._place_texts(curve, plane)
         self.settle()
 
-    def _place_texts(self) -> None:
+    def _place_texts(self, curve: OneCurve, plane: Plane) -> None:
         """Put every name where it covers least."""
-        curve, plane = self._curve, self._plane
         for k, text in enumerate(self._point_texts):
-            html = self._point_html(k)
+            html = self._point_html(curve, k)
             if html != self._point_htmls[k]:  # it takes long to lay out
                 self._point_htmls[k] = html
                 text.setHtml(html)
@@ -137,23 +148,23 @@ class GeometryPlot(Plot):
         middle = (low + high) / 2
         return pixels, np.array([middle - span / 2, middle + span / 2]) * pixels
 
-    def _point_html(self, k: int) -> str:
-        name = coloured(f"<b>{symbol_html('P', k)}</b>", self.colours.series[k])
+    def _point_html(self, curve: OneCurve, k: int) -> str:
+        name = coloured(f"<b>{symbol_html('P', str(k))}</b>", self.colours.series[k])
         if k in (0, 4):
             return name
-        place = f"<i>{self._curve.parameter}</i> = {self._curve.landmarks[k - 1]:.4g}"
-        knot = f", <i>{'rst'[k - 1]}</i> = {self._curve.internal_knots[k - 1]:.4g}"
+        place = f"<i>{curve.parameter}</i> = {curve.landmarks[k - 1]:.4g}"
+        knot = f", <i>{'rst'[k - 1]}</i> = {curve.internal_knots[k - 1]:.4g}"
         text = place + knot if self.width() >= _ROOM_FOR_KNOTS else place
         return f'<div align="center">{name}<br>{coloured(text, self.colours.quiet_ink)}</div>'
 
     def _on_resized(self) -> None:
-        if self._curve is not None:
-            self._place_texts()
+        if self._drawn is not None:
+            self._place_texts(*self._drawn)
 
 
-def _set(line: object, points: Array) -> None:
+def _set(line: pg.PlotCurveItem, points: Array) -> None:
     line.setData(points[:, 0], points[:, 1])
 
 
-def _brushes(colours: tuple) -> list:
-    return [pg.mkBrush(colour) for colour in colours]
+def _brushes(colours: Sequence[Rgb]) -> list[QBrush]:
+    return [pg.make_brush(colour) for colour in colours]

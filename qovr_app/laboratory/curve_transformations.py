@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.laboratory import pg
 from qovr_app.laboratory.curve_functions import FunctionPlot
 from qovr_app.state.gestures import next_gesture
 from qovr_app.style.theme import Theme
@@ -47,8 +47,8 @@ class TransformationsPlot(FunctionPlot):
             [1, 2, 3],
             parent,
         )
-        self._curve: OneCurve | None = None
         self._gesture = 0
+        self._places = dict.fromkeys(_KNOTS_OF, (0.0, 0.0))
         lens = [pg.PlotCurveItem(SAMPLES, SAMPLES**2), pg.PlotCurveItem(SAMPLES, 2 * SAMPLES - SAMPLES**2)]
         self._lens = pg.FillBetweenItem(*lens)
         self._fold = pg.LinearRegionItem(movable=False)
@@ -69,14 +69,13 @@ class TransformationsPlot(FunctionPlot):
             limit.setPen(self.pen(theme.axis, 1))
         self._outside.setPen(self.pen(theme.warn, 3))
         for handle, colour in zip(self.handles.values(), self.series, strict=True):
-            handle.setBrush(pg.mkBrush(theme.background))
+            handle.setBrush(pg.make_brush(theme.background))
             handle.setPen(self.pen(colour, 2))
-            handle.setHoverBrush(pg.mkBrush(colour))
+            handle.setHoverBrush(pg.make_brush(colour))
             handle.setHoverPen(self.pen(theme.ink, 2))
 
     def show_curve(self, curve: OneCurve) -> None:
         """Show the transformations of a curve."""
-        self._curve = curve
         values = curve.transformed(SAMPLES)
         low, high = (end(limit, end(values[:, 1])) for end, limit in zip((min, max), _LEAST_RANGE, strict=True))
         self.show_functions(values, curve.knots.u, (low - _HEADROOM, high + _HEADROOM))
@@ -86,6 +85,8 @@ class TransformationsPlot(FunctionPlot):
             self._fold.setRegion(fold.backward)
         u = np.linspace(*fold.outside, 41) if fold else SAMPLES[:0]
         self._outside.setData(u, curve.transformed(u)[:, 1])
+        r, s, t = curve.internal_knots
+        self._places = {"r": (0.0, r), "s": (curve.knots.u, s), "t": (1.0, t)}
         self._place_handles()
 
     def _make_handle(self, name: str) -> pg.TargetItem:
@@ -99,11 +100,9 @@ class TransformationsPlot(FunctionPlot):
 
     def _place_handles(self) -> None:
         """Put the handles where the knots are, silently."""
-        r, s, t = self._curve.internal_knots
-        places = {"r": (0.0, r), "s": (self._curve.knots.u, s), "t": (1.0, t)}
         for name, handle in self.handles.items():
             handle.blockSignals(True)
-            handle.setPos(places[name])
+            handle.setPos(self._places[name])
             handle.blockSignals(False)
 
     def _on_handle_moved(self, name: str) -> None:

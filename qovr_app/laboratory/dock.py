@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QToo
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.panels import PANELS, PanelRecord
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import PanelShown
+from qovr_app.state.looking_intents import PanelShown
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.work.worker import Worker

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from math import log10
+
 import numpy as np
-import pyqtgraph as pg
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.laboratory import pg
 from qovr_app.laboratory.influence_numbers import DISTANCE
 from qovr_app.laboratory.plots import Plot
 from qovr_app.style.symbols import coloured
@@ -81,18 +83,19 @@ class FalloffPlot(Plot):
 
     def show_influence(self, influence: Influence) -> None:
         """Show an influence in which something moves."""
-        self._influence = influence
-        fall = influence.falloff
+        self._influence, fall, least = influence, influence.falloff, _FLOOR * influence.largest
+        if fall is None:
+            return
         farthest = float(fall.envelope[-1, 0])
         distances = np.linspace(0.0, farthest, _CURVE_POINTS)
         thinned = (slice(None, None, _EVERY),) * 2
-        self._put(self._samples, fall.distance[thinned].ravel(), influence.magnitude[thinned].ravel())
-        self._put(self.envelope, *fall.envelope.T)
-        self._put(self.exponential, distances, fall.exponential.at(distances))
+        self._put(self._samples, fall.distance[thinned].ravel(), influence.magnitude[thinned].ravel(), least)
+        self._put(self.envelope, fall.envelope[:, 0], fall.envelope[:, 1], least)
+        self._put(self.exponential, distances, fall.exponential.at(distances), least)
         top = max(influence.largest, fall.exponential.amplitude)
         self.view_box.setXRange(0.0, farthest)
         if self._is_logarithmic:
-            self.view_box.setYRange(*np.log10([_FLOOR * top, _LOGARITHMIC_HEADROOM * top]).tolist(), padding=0)
+            self.view_box.setYRange(log10(_FLOOR * top), log10(_LOGARITHMIC_HEADROOM * top), padding=0)
         else:
             self.view_box.setYRange(0.0, _HEADROOM * top, padding=0)
 
@@ -102,9 +105,9 @@ class FalloffPlot(Plot):
         if distance is not None:
             self._reading.setValue(distance)
 
-    def _put(self, item: pg.PlotDataItem, distance: Array, displacement: Array) -> None:
-        """Show a series; what is nothing has no place on a logarithmic scale."""
+    def _put(self, item: pg.PlotDataItem, distance: Array, displacement: Array, least: float) -> None:
+        """Show a series; what is nothing, up to the least displacement, has no place on a logarithmic scale."""
         if self._is_logarithmic:
-            kept = displacement > _FLOOR * self._influence.largest
+            kept = displacement > least
             distance, displacement = distance[kept], displacement[kept]
         item.setData(distance, displacement)

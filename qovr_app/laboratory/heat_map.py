@@ -98,12 +98,12 @@ class HeatMap(QWidget):
         font.setPixelSize(_FONT_PIXELS)
         painter.setFont(font)
         square = self.square()
-        self._paint_map(painter, square)
-        self._paint_edges(painter, square)
-        self._paint_bar(painter, square)
+        self._paint_map(painter, square, self._influence)
+        self._paint_edges(painter, square, self._influence)
+        self._paint_bar(painter, square, self._influence)
         painter.end()
 
-    def _paint_map(self, painter: QPainter, square: QRectF) -> None:
+    def _paint_map(self, painter: QPainter, square: QRectF, influence: Influence) -> None:
         # The samples are the pixels' middles, and the outermost lie on the edges.
         painter.drawImage(square, self._image, QRectF(self._image.rect()).adjusted(0.5, 0.5, -0.5, -0.5))
         painter.save()
@@ -112,53 +112,41 @@ class HeatMap(QWidget):
             painter.setPen(QPen(_WHITE, width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
             painter.drawLines(_lines_in(square, segments))
         painter.setPen(QPen(_WHITE, 1.0, Qt.PenStyle.DotLine))
-        for u in self._influence.still_u:
+        for u in influence.still_u:
             painter.drawLine(_lines_in(square, np.array([[[u, 0.0], [u, 1.0]]]))[0])
-        for v in self._influence.still_v:
+        for v in influence.still_v:
             painter.drawLine(_lines_in(square, np.array([[[0.0, v], [1.0, v]]]))[0])
         painter.restore()
         painter.setPen(QPen(QColor(*self._theme.axis), 1.0))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(square.adjusted(-0.5, -0.5, 0.5, 0.5))
-        self._paint_mark(painter, square)
+        _paint_mark(painter, square, influence)
 
-    def _paint_mark(self, painter: QPainter, square: QRectF) -> None:
-        """Mark the place of the largest displacement, with nothing outside the square."""
-        u, v = self._influence.place
-        at = QPointF(square.left() + u * square.width(), square.bottom() - v * square.height())
-        painter.save()
-        painter.setClipRect(square)
-        for colour, width in ((QColor(0, 0, 0), 3.5), (_WHITE, 1.5)):
-            painter.setPen(QPen(colour, width))
-            painter.drawLine(at - QPointF(_MARK, 0), at + QPointF(_MARK, 0))
-            painter.drawLine(at - QPointF(0, _MARK), at + QPointF(0, _MARK))
-        painter.restore()
-
-    def _paint_edges(self, painter: QPainter, square: QRectF) -> None:
+    def _paint_edges(self, painter: QPainter, square: QRectF, influence: Influence) -> None:
         """Say beside each edge which it is, and how far it moves."""
         side = square.width()
-        self._write_edge(painter, QRectF(square.left(), 0, side, _LINE), Edge.V1)
-        self._write_edge(painter, QRectF(square.left(), square.bottom() + 1, side, _LINE), Edge.V0)
+        self._write_edge(painter, influence, QRectF(square.left(), 0, side, _LINE), Edge.V1)
+        self._write_edge(painter, influence, QRectF(square.left(), square.bottom() + 1, side, _LINE), Edge.V0)
         for edge, x in ((Edge.U0, square.left() - _LINE - 1), (Edge.U1, square.right() + 1)):
             painter.save()
             painter.translate(x, square.center().y())
             painter.rotate(-90)
-            self._write_edge(painter, QRectF(-side / 2, 0, side, _LINE), edge)
+            self._write_edge(painter, influence, QRectF(-side / 2, 0, side, _LINE), edge)
             painter.restore()
 
-    def _write_edge(self, painter: QPainter, room: QRectF, edge: Edge) -> None:
-        motion = self._influence.edges[edge]
+    def _write_edge(self, painter: QPainter, influence: Influence, room: QRectF, edge: Edge) -> None:
+        motion = influence.edges[edge]
         parameter, end = edge.value.split("=")
         text = f"{parameter} = {end}:  {motion_text(motion)}"
         painter.setPen(QColor(*(self._theme.ink if motion else self._theme.quiet_ink)))
         painter.drawText(room.adjusted(-_LINE, 0, _LINE, 0), Qt.AlignmentFlag.AlignCenter, text)
 
-    def _paint_bar(self, painter: QPainter, square: QRectF) -> None:
+    def _paint_bar(self, painter: QPainter, square: QRectF, influence: Influence) -> None:
         bar = QRectF(square.left(), square.bottom() + _LINE + _BAR_GAP, square.width(), _BAR_HEIGHT)
         pens = [QPen(_WHITE, width) for width in _LINE_WIDTHS]
-        marks = [(reach.part, pen) for reach, pen in zip(self._influence.reaches, pens, strict=True)]
+        marks = [(reach.part, pen) for reach, pen in zip(influence.reaches, pens, strict=True)]
         draw_bar(painter, bar, colour_table(COLOURS), self._theme, marks)
-        largest = self._influence.largest
+        largest = influence.largest
         values = tick_positions(0.0, largest, max(1, int(bar.width() / _TICK_ROOM)))
         for value, text in zip(values.tolist(), tick_texts(values.tolist()), strict=True):
             tick = tick_line(bar, value / largest, _TICK)
@@ -167,6 +155,19 @@ class HeatMap(QWidget):
             painter.setPen(QColor(*self._theme.quiet_ink))
             room = QRectF(tick.x2() - _TICK_ROOM / 2, tick.y2(), _TICK_ROOM, _LINE)
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
+
+
+def _paint_mark(painter: QPainter, square: QRectF, influence: Influence) -> None:
+    """Mark the place of the largest displacement, with nothing outside the square."""
+    u, v = influence.place
+    at = QPointF(square.left() + u * square.width(), square.bottom() - v * square.height())
+    painter.save()
+    painter.setClipRect(square)
+    for colour, width in ((QColor(0, 0, 0), 3.5), (_WHITE, 1.5)):
+        painter.setPen(QPen(colour, width))
+        painter.drawLine(at - QPointF(_MARK, 0), at + QPointF(_MARK, 0))
+        painter.drawLine(at - QPointF(0, _MARK), at + QPointF(0, _MARK))
+    painter.restore()
 
 
 def _lines_in(square: QRectF, segments: Array) -> list[QLineF]:

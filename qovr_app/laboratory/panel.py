@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import MessageOutdated, MessageShown
+from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.store import Store
 from qovr_app.work.worker import Worker
 

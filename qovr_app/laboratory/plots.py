@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QPen, QResizeEvent
-from PySide6.QtWidgets import QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtGui import QPen, QResizeEvent
+from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
+from qovr_app.laboratory import pg
 from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
-from qovr_app.style.theme import Rgb, Theme
+from qovr_app.style.theme import Theme
 
 _LABEL_MARGIN = 1
 _GRID = 0.16
@@ -31,7 +31,7 @@ class Plot(pg.PlotWidget):
         super().__init__(parent)
         self.setObjectName(name)
         self.setAccessibleName(spoken)
-        self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
+        self.setFrameShape(QFrame.Shape.NoFrame)
         self.setAntialiasing(True)
         self.setMenuEnabled(False)
         self.hideButtons()
@@ -65,9 +65,9 @@ class Plot(pg.PlotWidget):
             axis.setPen(self.pen(theme.axis))
             axis.setTextPen(self.pen(theme.quiet_ink))
 
-    def pen(self, colour: Rgb | QColor, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    def pen(self, colour: pg.Colour, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
         """Return a pen that is so many logical pixels wide at any scale of the plot."""
-        return pg.mkPen(colour, width=width * self.devicePixelRatioF(), style=style)
+        return pg.make_pen(colour, width * self.devicePixelRatioF(), style)
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.DevicePixelRatioChange:
@@ -116,7 +116,8 @@ class Captioned(QWidget):
     def __init__(self, plot: Plot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._texts: tuple[str, ...] = ("",)
-        self._label = QLabel(self, objectName=f"{plot.objectName()}.caption")
+        self._label = QLabel(self)
+        self._label.setObjectName(f"{plot.objectName()}.caption")
         self._label.setTextFormat(Qt.TextFormat.RichText)
         self._label.setFont(plot.small_font)
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)

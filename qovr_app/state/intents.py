@@ -1,5 +1,7 @@
 """What the user wants, as values: every intent makes the next state in ``next_state``, or is refused there.
 
+Here are those of the document; ``looking_intents`` are those of what is looked at.
+
 A ``Request`` is an intent that needs the world outside - a file, a dialog, the clipboard. The shell answers it, and the
 answer comes back as an intent.
 """
@@ -141,102 +143,6 @@ class DirectionsLinked(Intent):
     """Rows and columns share what is edited, or not."""
 
     is_linked: bool
-
-
-# What is looked at
-
-
-@dataclass(frozen=True)
-class Selected(Intent):
-    """These control points are selected, ``last`` the latest of them; none at all where ``last`` is None."""
-
-    last: NetIndex | None
-    others: tuple[NetIndex, ...] = ()
-
-
-@dataclass(frozen=True)
-class FieldFocused(Intent):
-    """The field at a place has the keyboard now."""
-
-    place: Place
-
-
-@dataclass(frozen=True)
-class DisplayChosen(Intent):
-    """One of the display settings, by its field of ``DisplaySettings``."""
-
-    setting: str
-    value: object
-
-
-@dataclass(frozen=True)
-class RangeFixed(Intent):
-    """The colours end at two values."""
-
-    low: float
-    high: float
-
-
-@dataclass(frozen=True)
-class Probed(Intent):
-    """The point of the surface under the pointer: which viewport, u and v; None where there is none."""
-
-    place: tuple[int, float, float] | None
-
-
-@dataclass(frozen=True)
-class ReferencePinned(Intent):
-    """The configured surface is the reference from now on."""
-
-
-@dataclass(frozen=True)
-class ReferenceUnpinned(Intent):
-    """There is no reference any more."""
-
-
-@dataclass(frozen=True)
-class ComparisonChosen(Intent):
-    """The surface compared with, its placement in the view (empty for none), and the weight of the measured point."""
-
-    surface: str
-    placement: str
-    weight: float
-
-
-@dataclass(frozen=True)
-class DistanceMapSwitched(Intent):
-    """The surfaces are coloured by their distance from each other, or as they were before."""
-
-    is_on: bool
-
-
-@dataclass(frozen=True)
-class PanelShown(Intent):
-    """A panel of the laboratory, by its name; empty closes the laboratory."""
-
-    name: str
-
-
-@dataclass(frozen=True)
-class ZonesShown(Intent):
-    """The zones beside the view are shown, or not."""
-
-    are_shown: bool
-
-
-@dataclass(frozen=True)
-class MessageShown(Intent):
-    """One sentence for the message line."""
-
-    text: str
-    is_refusal: bool = False
-
-
-@dataclass(frozen=True)
-class MessageOutdated(Intent):
-    """The message has been read, or, where only refusals are meant, no longer holds."""
-
-    only_refusals: bool = False
 
 
 # Answers of the shell

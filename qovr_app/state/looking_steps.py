@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from qovr_app.state import intents
+from qovr_app.state import intents, looking_intents
 from qovr_app.state.display import ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
 from qovr_core import Layer, QovrError
@@ -15,7 +15,7 @@ from qovr_core.fields import Field
 DRAG_HINT = "Drag: in the view plane. Hold X, Y or Z: along that axis. Esc: put the point back."
 
 
-def selected(state: EditorState, intent: intents.Selected) -> EditorState:
+def selected(state: EditorState, intent: looking_intents.Selected) -> EditorState:
     last = intent.last
     if last is None:
         return replace(state, selection=Selection(), message=None)
@@ -23,7 +23,7 @@ def selected(state: EditorState, intent: intents.Selected) -> EditorState:
     return with_message(state, "P {},{}.  {}".format(*last, DRAG_HINT))
 
 
-def field_focused(state: EditorState, intent: intents.FieldFocused) -> EditorState:
+def field_focused(state: EditorState, intent: looking_intents.FieldFocused) -> EditorState:
     place = intent.place
     state = replace(state, fields={**state.fields, zone_of(place): place})
     if isinstance(place, CoordinatePlace):
@@ -36,22 +36,22 @@ def _with_point(state: EditorState, last: intents.NetIndex, others: tuple[intent
     return replace(state, selection=selection, measured_point=last, knot_came_last=False)
 
 
-def display_chosen(state: EditorState, intent: intents.DisplayChosen) -> EditorState:
+def display_chosen(state: EditorState, intent: looking_intents.DisplayChosen) -> EditorState:
     before = state.colours_before if intent.setting != "colour_by" else ""
     changes: dict[str, Any] = {intent.setting: intent.value}
     return replace(state, display=replace(state.display, **changes), colours_before=before)
 
 
-def range_fixed(state: EditorState, intent: intents.RangeFixed) -> EditorState:
+def range_fixed(state: EditorState, intent: looking_intents.RangeFixed) -> EditorState:
     limits = (intent.low, intent.high)
     return replace(state, display=replace(state.display, colour_range=ColourRange.FIXED, fixed_range=limits))
 
 
-def probed(state: EditorState, intent: intents.Probed) -> EditorState:
+def probed(state: EditorState, intent: looking_intents.Probed) -> EditorState:
     return state if intent.place == state.probe else replace(state, probe=intent.place)
 
 
-def reference_pinned(state: EditorState, _intent: intents.ReferencePinned) -> EditorState:
+def reference_pinned(state: EditorState, _intent: looking_intents.ReferencePinned) -> EditorState:
     """Pin the surface configured last, in the layer that is shown; of two, in the one that lies on the net."""
     evaluation, shown = state.evaluation, state.display.layer
     if evaluation is None:
@@ -66,18 +66,18 @@ def reference_pinned(state: EditorState, _intent: intents.ReferencePinned) -> Ed
     )
 
 
-def reference_unpinned(state: EditorState, _intent: intents.ReferenceUnpinned) -> EditorState:
+def reference_unpinned(state: EditorState, _intent: looking_intents.ReferenceUnpinned) -> EditorState:
     text = "There is no reference." if state.reference is None else "There is no reference any more."
     return with_message(replace(state, reference=None), text)
 
 
-def comparison_chosen(state: EditorState, intent: intents.ComparisonChosen) -> EditorState:
+def comparison_chosen(state: EditorState, intent: looking_intents.ComparisonChosen) -> EditorState:
     placement = Placement(intent.placement) if intent.placement else None
     state = replace(state, comparison=ComparisonChoice(intent.surface, placement, intent.weight))
     return state if state.shown_comparison else _without_distance_map(state)
 
 
-def distance_map_switched(state: EditorState, intent: intents.DistanceMapSwitched) -> EditorState:
+def distance_map_switched(state: EditorState, intent: looking_intents.DistanceMapSwitched) -> EditorState:
     if not intent.is_on:
         return _without_distance_map(state, Field.HEIGHT.name)
     before = state.display.colour_by
@@ -93,20 +93,20 @@ def _without_distance_map(state: EditorState, otherwise: str = "") -> EditorStat
     return replace(state, colours_before="")
 
 
-def panel_shown(state: EditorState, intent: intents.PanelShown) -> EditorState:
+def panel_shown(state: EditorState, intent: looking_intents.PanelShown) -> EditorState:
     state = replace(state, panel=intent.name)
     return state if state.shown_comparison else _without_distance_map(state)
 
 
-def zones_shown(state: EditorState, intent: intents.ZonesShown) -> EditorState:
+def zones_shown(state: EditorState, intent: looking_intents.ZonesShown) -> EditorState:
     return replace(state, shows_zones=intent.are_shown)
 
 
-def message_shown(state: EditorState, intent: intents.MessageShown) -> EditorState:
+def message_shown(state: EditorState, intent: looking_intents.MessageShown) -> EditorState:
     return with_message(state, intent.text, is_refusal=intent.is_refusal)
 
 
-def message_outdated(state: EditorState, intent: intents.MessageOutdated) -> EditorState:
+def message_outdated(state: EditorState, intent: looking_intents.MessageOutdated) -> EditorState:
     if state.message is None or (intent.only_refusals and not state.message.is_refusal):
         return state
     return replace(state, message=None)

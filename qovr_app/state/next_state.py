@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from qovr_app.state import document_steps, intents, looking_steps
+from qovr_app.state import document_steps, intents, looking_intents, looking_steps
 from qovr_app.state.editor_state import EditorState
 
 _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = {
@@ -28,19 +28,19 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.DirectionsLinked: lambda state, intent: replace(state, links_directions=intent.is_linked),
     intents.Opened: document_steps.opened,
     intents.Saved: document_steps.saved,
-    intents.Selected: looking_steps.selected,
-    intents.FieldFocused: looking_steps.field_focused,
-    intents.DisplayChosen: looking_steps.display_chosen,
-    intents.RangeFixed: looking_steps.range_fixed,
-    intents.Probed: looking_steps.probed,
-    intents.ReferencePinned: looking_steps.reference_pinned,
-    intents.ReferenceUnpinned: looking_steps.reference_unpinned,
-    intents.ComparisonChosen: looking_steps.comparison_chosen,
-    intents.DistanceMapSwitched: looking_steps.distance_map_switched,
-    intents.PanelShown: looking_steps.panel_shown,
-    intents.ZonesShown: looking_steps.zones_shown,
-    intents.MessageShown: looking_steps.message_shown,
-    intents.MessageOutdated: looking_steps.message_outdated,
+    looking_intents.Selected: looking_steps.selected,
+    looking_intents.FieldFocused: looking_steps.field_focused,
+    looking_intents.DisplayChosen: looking_steps.display_chosen,
+    looking_intents.RangeFixed: looking_steps.range_fixed,
+    looking_intents.Probed: looking_steps.probed,
+    looking_intents.ReferencePinned: looking_steps.reference_pinned,
+    looking_intents.ReferenceUnpinned: looking_steps.reference_unpinned,
+    looking_intents.ComparisonChosen: looking_steps.comparison_chosen,
+    looking_intents.DistanceMapSwitched: looking_steps.distance_map_switched,
+    looking_intents.PanelShown: looking_steps.panel_shown,
+    looking_intents.ZonesShown: looking_steps.zones_shown,
+    looking_intents.MessageShown: looking_steps.message_shown,
+    looking_intents.MessageOutdated: looking_steps.message_outdated,
 }
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtGui import QGuiApplication
 
-from qovr_app.state.intents import MessageShown
+from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import CopyAsked, PasteAsked
 from qovr_app.store import Dispatch
 from qovr_app.window.layout import Layout

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QSizePolicy, QToolBar, QVBoxLayout, 
 
 from qovr_app.laboratory.dock import LaboratoryDock
 from qovr_app.state.editor_state import EditorState
-from qovr_app.store import Store
+from qovr_app.store import Listener, Store
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.window.view_frame import ViewFrame
@@ -53,17 +53,18 @@ class Layout(LineSplitter):
 
     def add_bars(self, edit_bar: QToolBar, view_bar: QToolBar) -> None:
         """Put the bars over what they belong to."""
-        for bar, side in ((edit_bar, self._zones_side), (view_bar, self._view_side)):
+        for bar, side in zip((edit_bar, view_bar), self._sides, strict=True):
             bar.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            side.layout().insertWidget(0, bar)
+            side.insertWidget(0, bar)
 
-    def show_state(self, before: EditorState | None, after: EditorState) -> None:
-        """Show a state in every part; each looks at what differs from before, None the first time."""
-        for zone in self._zones.values():
-            zone.show_state(before, after)
+    @property
+    def shows(self) -> tuple[Listener, ...]:
+        """What shows states in every part, the view first: what is waited for is its frame."""
+        zones = (zone.show_state for zone in self._zones.values())
+        return (self.view_frame.show_state, self.laboratory.show_state, *zones, self._show_sides)
+
+    def _show_sides(self, _before: EditorState | None, after: EditorState) -> None:
         self._zones_side.setVisible(after.shows_zones)
-        self.view_frame.show_state(before, after)
-        self.laboratory.show_state(before, after)
 
     def commit_typed(self) -> None:
         """Take what is typed in the field that has the keyboard, as leaving the field would."""
@@ -103,11 +104,7 @@ class Layout(LineSplitter):
         outer.setChildrenCollapsible(False)
         outer.setSizes([_VIEW, _LABORATORY])
         outer.setStretchFactor(0, 1)
-        for side, content in ((self._zones_side, inner), (self._view_side, outer)):
-            layout = QVBoxLayout(side)
-            layout.setContentsMargins(0, 0, 0, 0)
-            layout.setSpacing(0)
-            layout.addWidget(content, 1)
+        self._sides = [_side(side, content) for side, content in ((self._zones_side, inner), (self._view_side, outer))]
         self.addWidget(self._zones_side)
         self.addWidget(self._view_side)
         self.setCollapsible(1, False)
@@ -126,3 +123,12 @@ class Layout(LineSplitter):
             splitter.addWidget(part)
         self._splitters[name] = splitter
         return splitter
+
+
+def _side(side: QWidget, content: QWidget) -> QVBoxLayout:
+    """Return the layout of one side of the window, with room for a bar over its content."""
+    layout = QVBoxLayout(side)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(0)
+    layout.addWidget(content, 1)
+    return layout

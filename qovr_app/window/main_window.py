@@ -10,15 +10,19 @@ from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
-from qovr_app.state.intents import Configured, DisplayChosen, MessageShown
+from qovr_app.state.intents import Configured
+from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.state.requests import SourceAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
-from qovr_app.window.file_shell import FileShell, opened_source
+from qovr_app.window.document_shell import DocumentShell, opened_source
+from qovr_app.window.export_shell import ExportShell
+from qovr_app.window.folder import Folder
 from qovr_app.window.layout import Layout
+from qovr_app.window.layout_shell import LayoutShell
 from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
 from qovr_app.window.message_line import MessageLine
 from qovr_app.window.preferences import Preferences
@@ -62,26 +66,26 @@ class MainWindow(QMainWindow):
         turn.timeout.connect(self.store.flush)
         self.worker, self._notices = Worker(self), Notices(self)
         self.parts = Layout(self.store, self.worker, self)
-        self._files = FileShell(
-            self.store,
-            self,
-            preferences,
-            self.worker,
-            save_view=self.parts.view_frame.save_figure,
-            commit_typed=self.parts.commit_typed,
+        folder, commit = Folder(preferences), self.parts.commit_typed
+        self._documents = DocumentShell(self.store, self, folder, commit)
+        exports = ExportShell(
+            self.store, self, folder, self.worker, save_view=self.parts.view_frame.save_figure, commit_typed=commit
         )
-        self._offer = RecoveryOffer(self._files, self.store.dispatch, self)
-        self.store.answer_with(Shell(self.store, self.parts, self._files, self._offer, self).perform)
+        self._offer = RecoveryOffer(self._documents, self.store.dispatch, self)
+        parts = LayoutShell(self.store, self.parts, self)
+        shell = Shell(parts.answers, self._documents.answers, exports.answers, self._offer.answers)
+        self.store.answer_with(shell.perform)
         self._actions = Actions(command_table(), self.store, self)
-        self._facts = QLabel(self, objectName="surface.facts")
+        self._facts = QLabel(self)
+        self._facts.setObjectName("surface.facts")
         self._message = MessageLine(self.store.dispatch, self)
         self._notices.noticed.connect(lambda text: self.store.dispatch(MessageShown(text)))
-        self._assemble()
+        self._assemble(folder)
         self._restore_layout()
         self.store.dispatch(Configured())
         self.store.flush()
-        self._show_state(None, self.store.state)
-        self.store.subscribe(self._show_state)
+        for show in (*self.parts.shows, self._actions.show_state, self._message.show_state, self._show_state):
+            self.store.subscribe(show)
 
     @property
     def view(self) -> View3D:
@@ -95,7 +99,7 @@ class MainWindow(QMainWindow):
         self.store.subscribe(self._recovery.show_state)
         self._offer.offer(recovery)
 
-    def _assemble(self) -> None:
+    def _assemble(self, folder: Folder) -> None:
         self.parts.add_bars(make_edit_bar(self._actions, self), make_view_bar(self._actions, self))
         middle = QWidget(self)
         layout = QVBoxLayout(middle)
@@ -106,15 +110,12 @@ class MainWindow(QMainWindow):
         self.setCentralWidget(middle)
         menus = fill_menu_bar(self.menuBar(), self._actions)
         presets = menus["File/Presets of the paper"].menuAction()
-        recent = RecentMenu(lambda: self._files.recent, self.store.dispatch, self)
+        recent = RecentMenu(lambda: folder.recent, self.store.dispatch, self)
         menus["File"].insertMenu(presets, recent)
         self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)
 
     def _show_state(self, before: EditorState | None, after: EditorState) -> None:
-        self.parts.show_state(before, after)
-        self._actions.show_state(after)
-        self._message.show_state(before, after)
         if after.differs(before, "document", "evaluation"):
             self._facts.setText(_facts_text(after))
         if after.differs(before, "history", "file"):
@@ -157,7 +158,7 @@ class MainWindow(QMainWindow):
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.parts.commit_typed()
-        if not self._files.may_leave():
+        if not self._documents.may_leave():
             event.ignore()
             return
         self._remember_layout()

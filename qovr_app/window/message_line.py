@@ -7,7 +7,7 @@ from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QColor, QPa
 from PySide6.QtWidgets import QLabel, QWidget
 
 from qovr_app.state.editor_state import EditorState, Message
-from qovr_app.state.intents import MessageOutdated
+from qovr_app.state.looking_intents import MessageOutdated
 from qovr_app.store import Dispatch
 from qovr_app.style.palette import theme_in_force
 

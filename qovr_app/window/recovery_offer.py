@@ -11,16 +11,18 @@ from qovr_app.state.intents import Opened
 from qovr_app.state.requests import RecoveryAnswered
 from qovr_app.store import Dispatch
 from qovr_app.widgets.notice import Notice
-from qovr_app.window.file_shell import FileShell
+from qovr_app.window.document_shell import DocumentShell
 from qovr_app.window.recovery import RecoveryStore, Unsaved
+from qovr_app.window.shell import Answers
 
 
 class RecoveryOffer:
     """Offers one document after the other; ``notice`` is the bar."""
 
-    def __init__(self, files: FileShell, dispatch: Dispatch, parent: QWidget) -> None:
-        self._files = files
+    def __init__(self, documents: DocumentShell, dispatch: Dispatch, parent: QWidget) -> None:
+        self._documents = documents
         self._unsaved: list[Unsaved] = []
+        self.answers: Answers = {RecoveryAnswered: self._answer}
         self.notice = Notice("recovery", parent)
         for name, text, tip in (
             ("restore", "Restore", "Go on with the unsaved document"),
@@ -34,13 +36,13 @@ class RecoveryOffer:
         self._unsaved = store.found()
         self._ask()
 
-    def answer(self, request: RecoveryAnswered) -> None:
+    def _answer(self, request: RecoveryAnswered) -> None:
         """Go on with the document that is offered, or delete it."""
         entry = self._unsaved[0]
         if request.is_wanted:
             message = f"Restored {entry.title}; it is not saved yet."
             restored = Opened(entry.document, entry.title, entry.path, is_saved=False, message=message)
-            if not self._files.go_on_with(restored):
+            if not self._documents.go_on_with(restored):
                 return
         self._unsaved.pop(0).remove()
         self._ask()

@@ -52,6 +52,9 @@ def _scale(text: str) -> float:
 
 
 def _screenshot(arguments: argparse.Namespace) -> int:
+    from PySide6.QtCore import QByteArray
+    from PySide6.QtGui import QImageWriter
+
     from qovr_app.state.display import ThemeName
     from qovr_app.style.palette import set_theme
     from qovr_app.window.application import make_application
@@ -74,7 +77,7 @@ def _screenshot(arguments: argparse.Namespace) -> int:
         )
     picture = take_picture(window, camera=arguments.camera)
     with replacing(arguments.out) as (draft,):
-        if not picture.save(str(draft), "PNG"):
+        if not QImageWriter(str(draft), QByteArray(b"png")).write(picture):
             raise QovrError(f"{arguments.out}: the picture cannot be written")
     window.hide()
     window.deleteLater()
@@ -90,7 +93,8 @@ def take_picture(window: MainWindow, *, camera: str) -> QImage:
     QovrError : the window draws nothing within half a minute
     """
     from PySide6.QtCore import QEventLoop, QPoint, QTimer
-    from PySide6.QtGui import QPainter
+
+    from qovr_app.style.canvas import painting
 
     view = window.view
     view.set_camera(camera, animated=False)
@@ -103,10 +107,9 @@ def take_picture(window: MainWindow, *, camera: str) -> QImage:
         raise QovrError("the window draws nothing; expected a display that shows it")
     picture = window.grab().toImage()
     surface = view.image()
-    painter = QPainter(picture)
-    painter.drawImage(view.mapTo(window, QPoint(0, 0)), surface)
-    mark = window.workspace.place.stale_mark
-    if mark.isVisible():
-        painter.drawPixmap(mark.mapTo(window, QPoint(0, 0)), mark.grab())
-    painter.end()
+    mark = window.parts.view_frame.stale_mark
+    with painting(picture) as painter:
+        painter.drawImage(view.mapTo(window, QPoint(0, 0)), surface)
+        if mark.isVisible():
+            painter.drawPixmap(mark.mapTo(window, QPoint(0, 0)), mark.grab())
     return picture

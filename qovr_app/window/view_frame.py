@@ -9,7 +9,7 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
-from qovr_app.state import intents
+from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.requests import CameraAsked
 from qovr_app.store import Store
@@ -127,9 +127,9 @@ class ViewFrame(QWidget):
         )
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
-        view.point_selected.connect(lambda index: dispatch(intents.Selected(index)))
-        view.probed.connect(lambda place: dispatch(intents.Probed(place)))
-        view.fell_back.connect(lambda reason: dispatch(intents.MessageShown(_without_opengl(reason))))
+        view.point_selected.connect(lambda index: dispatch(looking_intents.Selected(index)))
+        view.probed.connect(lambda place: dispatch(looking_intents.Probed(place)))
+        view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
 
     def _make_herald(self) -> QWidget | None:
         """Return a widget of one pixel that needs OpenGL.

@@ -7,14 +7,8 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import (
-    Configured,
-    FormulationChosen,
-    Intent,
-    MessageOutdated,
-    MessageShown,
-    SamplesChosen,
-)
+from qovr_app.state.intents import Configured, FormulationChosen, Intent, SamplesChosen
+from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.state.requests import ExportAsked, FigureAsked
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
@@ -33,14 +27,16 @@ class SurfaceZone(QFrame):
         self._store = store
         self.setObjectName("zone.surface")
         self.setAccessibleName("Surface")
-        self._formulation = QComboBox(self, objectName="surface.formulation")
+        self._formulation = QComboBox(self)
+        self._formulation.setObjectName("surface.formulation")
         self._samples = (self._samples_field("u"), self._samples_field("v"))
         self._configure = CompactButton(
             "Configure QOVR Surface", "surface.configure", "Compute raw surface, boxes, T and transformed surface", self
         )
         self._export = CompactButton("Export Data…", "surface.export", "", self)
         self._figure = CompactButton("Save Figure…", "surface.figure", "Write what the view shows as a picture", self)
-        self._state = QLabel(self, objectName="surface.state")
+        self._state = QLabel(self)
+        self._state.setObjectName("surface.state")
         self._boxes = NumberTable(
             "surface.boxes",
             "Bounding boxes of the control points and of the raw surface",

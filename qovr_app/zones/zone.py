@@ -8,16 +8,8 @@ from collections.abc import Callable, Sequence
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import (
-    FieldFocused,
-    MessageOutdated,
-    MessageShown,
-    TextTyped,
-    ValuesEdited,
-    ValuesPasted,
-    ZoneRead,
-    ZoneSet,
-)
+from qovr_app.state.intents import TextTyped, ValuesEdited, ValuesPasted, ZoneRead, ZoneSet
+from qovr_app.state.looking_intents import FieldFocused, MessageOutdated, MessageShown
 from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
 from qovr_app.state.typed import typed_block
 from qovr_app.store import Store

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from qovr_core import configure, edits
-from support.view import change, choose
+from qovr_core.presets import preset
 
 pytest.importorskip("PySide6")
 
@@ -27,27 +27,31 @@ OPENINGS = 200
 
 
 class Bench:
-    """A view of its own size with the session and the controller that feed it."""
+    """The window's frame with the view in it, alone and of its own size, with the store that feeds it."""
 
     def __init__(self, application):
-        from qovr_app.view3d.view import View3D
-        from qovr_app.window.controller import Controller
-        from qovr_app.window.session import Session
+        from PySide6.QtCore import QTimer
+
+        from qovr_app.state.display import DisplaySettings
+        from qovr_app.state.editor_state import DocumentFile, first_state
+        from qovr_app.state.intents import Configured
+        from qovr_app.store import Store
+        from qovr_app.window.view_frame import ViewFrame
 
         self.application = application
-        self.session = Session()
-        self.controller = Controller(self.session)
-        self.view = View3D()
+        self.turn = QTimer(singleShot=True, interval=0)
+        state = first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings())
+        self.store = Store(state, self.turn.start)
+        self.turn.timeout.connect(self.store.flush)
+        self.store.dispatch(Configured())
+        self.frame_of_view = ViewFrame(self.store)
+        self.store.subscribe(self.frame_of_view.show_state)
+        self.view = self.frame_of_view.view
         self.painted = 0
         self.view.frame_painted.connect(self._count)
-        self.controller.evaluation_changed.connect(self.show)
-        self.view.resize(*SIZE)
-        self.view.show()
-        self.controller.configure()
+        self.frame_of_view.resize(*SIZE)
+        self.frame_of_view.show()
         self.settle()
-
-    def show(self, evaluation, document):
-        change(self.view, evaluation=evaluation, document=document)
 
     def _count(self):
         self.painted += 1
@@ -57,8 +61,17 @@ class Bench:
         while time.monotonic() < end:
             self.application.processEvents()
 
+    def dispatch(self, kind, *facts):
+        """Dispatch an intent by the name of its kind."""
+        from qovr_app.state import intents, looking_intents
+
+        found = getattr(intents, kind, None) or getattr(looking_intents, kind)
+        self.store.dispatch(found(*facts))
+
     def edit(self, k):
-        self.controller.drag_point(2, 2, np.array([2.0, 2.0, 0.5 + 0.1 * np.sin(k + 1)]), gesture=1)
+        from qovr_app.state.intents import PointDragged
+
+        self.store.dispatch(PointDragged(2, 2, (2.0, 2.0, 0.5 + 0.1 * float(np.sin(k + 1))), gesture=1))
 
     def orbit(self, _k):
         camera = self.view.camera
@@ -131,8 +144,8 @@ def stock_seconds(application, document, count):
 
 @pytest.mark.parametrize("size", SIZES)
 def test_an_edit_with_its_redraw(bench, row, size):
-    document = edits.set_samples(bench.session.document, (size, size))
-    bench.session.apply("Set samples", document)
+    bench.dispatch("SamplesChosen", (size, size))
+    document = bench.store.state.document
     bench.settle()
     bench.timed(bench.edit, 5)
     ours = np.median(bench.timed(bench.edit))
@@ -147,18 +160,19 @@ def test_an_edit_with_its_redraw(bench, row, size):
 def coloured(bench):
     """The bench with a pinned reference and a knot in focus; colours are those of heights again at the end."""
     from qovr_core.edits import Direction, KnotPlace
-    from qovr_core.presets import preset
 
-    bench.session.apply("Set samples", edits.set_samples(bench.session.document, (101, 101)))
-    reference = configure(preset("fig6c").document).transformed_patch
-    change(bench.view, reference=reference, reference_name="fig6c", knot=KnotPlace(Direction.ROWS, 4, "s"))
+    bench.dispatch("SamplesChosen", (101, 101))
+    bench.dispatch("Opened", preset("fig6c").document, "fig6c")
+    bench.dispatch("ReferencePinned")
+    bench.dispatch("Opened", preset("fig5").document, "fig5")
+    bench.dispatch("FieldFocused", KnotPlace(Direction.ROWS, 4, "s"))
     bench.settle()
     yield bench
     colour_by(bench, "height")
 
 
 def colour_by(bench, name):
-    choose(bench.view, colour_by=name)
+    bench.dispatch("DisplayChosen", "colour_by", name)
 
 
 @pytest.mark.parametrize("name", ["gaussian", "sensitivity", "zebra", "isophotes"])
@@ -169,7 +183,7 @@ def test_switching_what_colours_the_surface(coloured, row, name):
         colour_by(coloured, "height")
         coloured.frame(coloured.edit, k)
         coloured.settle(0.3)
-        plain.append(coloured.frame(lambda _: coloured.view._show(), k))
+        plain.append(coloured.frame(lambda _: coloured.view.viewports[0].update(), k))
         switched.append(coloured.frame(lambda _: colour_by(coloured, name), k))
     row(f"switch to {name} / plain redraw", "101 x 101", np.median(switched) / np.median(plain), at_most=2)
 
@@ -191,7 +205,6 @@ def test_from_a_drag_event_to_its_frame(bench, row):
     from PySide6.QtCore import QPoint, Qt
     from PySide6.QtTest import QTest
 
-    bench.view.point_dragged.connect(bench.controller.drag_point)
     viewport = bench.view.viewports[0]
     picture = bench.view.picture()
     start = bench.view.camera.project(picture.scene.points[2, 2], SIZE)
@@ -220,14 +233,23 @@ EDITOR = """
 import sys
 sys.argv = ["qovr"]
 from PySide6.QtWidgets import QApplication
-from qovr_app.window import main_window
-came = main_window.MainWindow._on_view_came
-def watch(window, view):
-    came(window, view)
-    view.frame_painted.connect(lambda: QApplication.exit(0))
-main_window.MainWindow._on_view_came = watch
-from qovr_app.main import main
-main()
+from PySide6.QtCore import QTimer
+from qovr_app import main as program
+from qovr_app.view3d import view
+make = program.create_window
+def watched(*arguments):
+    window = make(*arguments)
+    ask = QTimer(window, interval=0)
+    def listen():
+        found = window.findChildren(view.View3D)
+        if found:
+            ask.stop()
+            found[0].frame_painted.connect(lambda: QApplication.exit(0))
+    ask.timeout.connect(listen)
+    ask.start()
+    return window
+program.create_window = watched
+program.main()
 """
 
 
@@ -257,7 +279,8 @@ def test_memory_over_many_edits_and_openings(bench, row):
     for k in range(GROWTH_FROM, MANY_EDITS):
         bench.frame(bench.edit, k)
     for k in range(OPENINGS):
-        bench.frame(lambda k: bench.session.open(f"paper:{('fig6b', 'fig8')[k % 2]}"), k)
+        name = ("fig6b", "fig8")[k % 2]
+        bench.frame(lambda _, name=name: bench.dispatch("Opened", preset(name).document, name), k)
     gc.collect()
     assert sys.getrefcount(None) >= references  # a reference lost at every edit would end the process in time
     viewport = bench.view.viewports[0]

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from PySide6.QtGui import QKeySequence
 
 from qovr_app.laboratory.panels import PANELS
-from qovr_app.state import intents, requests
+from qovr_app.state import looking_intents, requests
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.window.commands.command import Command, asking
@@ -31,7 +31,7 @@ def go_commands() -> tuple[Command, ...]:
         Command(
             "show_panels",
             "&Zones",
-            lambda state: intents.ZonesShown(not state.shows_zones),
+            lambda state: looking_intents.ZonesShown(not state.shows_zones),
             "&View/&Show",
             "F9",
             "The zones of fields beside the view",
@@ -68,7 +68,7 @@ def laboratory_commands() -> tuple[Command, ...]:
 
 
 def _switching(name: str) -> Callable[[EditorState], Intent]:
-    return lambda state: intents.PanelShown("" if state.panel == name else name)
+    return lambda state: looking_intents.PanelShown("" if state.panel == name else name)
 
 
 def _is_shown(name: str) -> Callable[[EditorState], bool]:
@@ -89,7 +89,7 @@ def probe_commands() -> tuple[Command, ...]:
         Command(
             "pin_reference",
             "&Pin as reference",
-            asking(intents.ReferencePinned()),
+            asking(looking_intents.ReferencePinned()),
             "&Laboratory",
             "Ctrl+R",
             "Keep the surface as it is now, and take distances from it",
@@ -98,7 +98,7 @@ def probe_commands() -> tuple[Command, ...]:
         Command(
             "unpin_reference",
             "&Unpin the reference",
-            asking(intents.ReferenceUnpinned()),
+            asking(looking_intents.ReferenceUnpinned()),
             "&Laboratory",
             tip="Forget the reference",
         ),

@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, Projection, Scaling, Style
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import DisplayChosen, Intent
+from qovr_app.state.intents import Intent
+from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import CameraAsked, RangeAsked
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.window.commands.command import Command, asking

@@ -69,7 +69,7 @@ def assert_shows(panel, document, direction, number):
     assert (panel.curve.direction, panel.curve.number, panel.curve.knots) == (direction, number, curve.knots)
     geometry = plot_of(panel, "geometry")
     lines = [np.stack(line.getData(), axis=1) for line in geometry.listDataItems() if line.getData()[0] is not None]
-    wanted = geometry._plane.drawn(curve.at(SAMPLES))
+    wanted = geometry.plane.drawn(curve.at(SAMPLES))
     assert any(line.shape == wanted.shape and line == pytest.approx(wanted) for line in lines)
     for name, values in (("blends", curve.blends), ("weights", curve.weights), ("transformations", curve.transformed)):
         shown = [line.getData()[1] for line in plot_of(panel, name)._lines]
@@ -192,7 +192,7 @@ def test_hovering_says_the_values(panel):
     assert numbers["blends"] == pytest.approx(panel.curve.blends([u])[0], abs=6e-3)
     assert numbers["weights"] == pytest.approx(panel.curve.weights([u])[0], abs=2e-2)
     geometry = plot_of(panel, "geometry")
-    place = geometry._plane.drawn(panel.curve.at([0.6]))[0]
+    place = geometry.plane.drawn(panel.curve.at([0.6]))[0]
     geometry.hovered.emit(tuple(place))
     assert "u  = 0.600" in caption(panel, "geometry")
     geometry.hovered.emit(None)

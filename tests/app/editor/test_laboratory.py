@@ -6,7 +6,8 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QTabBar, QTableWidget
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.panels import PANELS, PanelRecord
 from qovr_app.state.display import ThemeName
-from qovr_app.state.intents import MessageShown, ValuesEdited
+from qovr_app.state.intents import ValuesEdited
+from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import DocumentAsked
 from qovr_app.style.palette import set_theme
 from qovr_app.window.preferences import Preferences

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qovr_app.state import intents, requests
+from qovr_app.state import intents, looking_intents, requests
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
@@ -34,14 +34,16 @@ EXAMPLES = {
     intents.PointDragged: st.builds(
         intents.PointDragged, st.integers(0, 4), st.integers(0, 4), st.tuples(NUMBERS, NUMBERS, NUMBERS), GESTURES
     ),
-    intents.Selected: st.builds(intents.Selected, st.none() | INDICES, st.lists(INDICES).map(tuple)),
-    intents.FieldFocused: st.builds(intents.FieldFocused, PLACES),
-    intents.DisplayChosen: st.just(intents.DisplayChosen("layer", LayerChoice.BOTH)),
-    intents.Probed: st.builds(intents.Probed, st.none() | st.tuples(st.integers(0, 2), NUMBERS, NUMBERS)),
-    intents.ComparisonChosen: st.builds(
-        intents.ComparisonChosen, st.text(), st.sampled_from([*map(str, Placement), ""]), NUMBERS
+    looking_intents.Selected: st.builds(looking_intents.Selected, st.none() | INDICES, st.lists(INDICES).map(tuple)),
+    looking_intents.FieldFocused: st.builds(looking_intents.FieldFocused, PLACES),
+    looking_intents.DisplayChosen: st.just(looking_intents.DisplayChosen("layer", LayerChoice.BOTH)),
+    looking_intents.Probed: st.builds(
+        looking_intents.Probed, st.none() | st.tuples(st.integers(0, 2), NUMBERS, NUMBERS)
     ),
-    intents.RangeFixed: st.builds(intents.RangeFixed, NUMBERS, NUMBERS),
+    looking_intents.ComparisonChosen: st.builds(
+        looking_intents.ComparisonChosen, st.text(), st.sampled_from([*map(str, Placement), ""]), NUMBERS
+    ),
+    looking_intents.RangeFixed: st.builds(looking_intents.RangeFixed, NUMBERS, NUMBERS),
     intents.Saved: st.builds(intents.Saved, st.text("abc/.", min_size=1).map(Path), st.text(), GESTURES),
     intents.Opened: st.just(intents.Opened(preset("fig6d").document, "a", None, (1, 2), message="b")),
     requests.DocumentAsked: st.just(requests.DocumentAsked(preset("fig8").document, "fig8")),
@@ -50,7 +52,7 @@ EXAMPLES = {
 
 
 def kinds():
-    for module in (intents, requests):
+    for module in (intents, looking_intents, requests):
         for _, kind in inspect.getmembers(module, inspect.isclass):
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 yield kind

@@ -1,0 +1,58 @@
+"""What is asked of the parts in the window: the camera, the keyboard's focus, the clipboard, a range, help."""
+
+from __future__ import annotations
+
+import math
+
+from PySide6.QtWidgets import QDialog, QWidget
+
+from qovr_app.dialogs.help_dialog import HelpDialog
+from qovr_app.dialogs.range_dialog import RangeDialog
+from qovr_app.state import requests
+from qovr_app.state.looking_intents import RangeFixed
+from qovr_app.store import Store
+from qovr_app.window.clipboard import Clipboard
+from qovr_app.window.layout import Layout
+from qovr_app.window.shell import Answers
+
+
+class LayoutShell:
+    """Answers what only the parts in the window, or a dialog over them, can."""
+
+    def __init__(self, store: Store, layout: Layout, window: QWidget) -> None:
+        self._store, self._layout, self._window = store, layout, window
+        self._help: HelpDialog | None = None
+        clipboard = Clipboard(layout, layout.view_frame.probe_text, store.dispatch)
+        self.answers: Answers = {
+            requests.CopyAsked: clipboard.copy,
+            requests.PasteAsked: clipboard.paste,
+            requests.CameraAsked: layout.view_frame.look,
+            requests.RangeAsked: self._ask_range,
+            requests.ZoneButtonPressed: self._press_zone_button,
+            requests.FocusAsked: lambda asked: layout.focus_part(asked.part),
+            requests.HelpAsked: self._show_help,
+            requests.CloseAsked: lambda _asked: window.close(),
+        }
+
+    def _ask_range(self, _request: requests.RangeAsked) -> None:
+        """Ask for the ends of a fixed range; a dialog that is left changes nothing."""
+        title, limits = self._layout.view_frame.view.shown_range()
+        if not all(map(math.isfinite, limits)) or not limits[0] < limits[1]:
+            limits = self._store.state.display.fixed_range
+        dialog = RangeDialog(title, limits, self._window)
+        if dialog.exec() == QDialog.DialogCode.Accepted:
+            self._store.dispatch(RangeFixed(*dialog.limits))
+        dialog.deleteLater()
+
+    def _press_zone_button(self, request: requests.ZoneButtonPressed) -> None:
+        zone = self._layout.current_zone()
+        if request.is_set:
+            zone.set_values()
+        else:
+            zone.get_values()
+
+    def _show_help(self, _request: requests.HelpAsked) -> None:
+        if self._help is None:
+            self._help = HelpDialog(self._window)
+        self._help.show()
+        self._help.raise_()
