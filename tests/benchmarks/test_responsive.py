@@ -82,8 +82,12 @@ def show(orbit, name):
     from PySide6.QtWidgets import QWidget
 
     orbit.window.findChild(QAction, f"laboratory_{name}").trigger()
-    panel = orbit.window.findChild(QWidget, f"laboratory.{name}")
-    return lambda: panel.is_current
+
+    def is_current():
+        panel = orbit.window.findChild(QWidget, f"laboratory.{name}")
+        return panel is not None and panel.is_current
+
+    return is_current
 
 
 def run_export(orbit, path, samples):
