@@ -10,8 +10,8 @@ from qovr_app.state.looking_steps import refused
 from qovr_app.state.next_state import next_state
 from qovr_core import QovrError
 
-Listener = Callable[[EditorState, EditorState], None]
-"""Called with the state that was shown last and the one to show now."""
+Listener = Callable[[EditorState | None, EditorState], None]
+"""Called with the state that was shown last, None the first time, and the one to show now."""
 
 Dispatch = Callable[[Intent], QovrError | None]
 """Takes an intent; returns why it was not followed, or nothing."""
@@ -43,8 +43,9 @@ class Store:
         return self._shown
 
     def subscribe(self, listener: Listener) -> None:
-        """Tell a part of every change from now on."""
+        """Tell a part what is shown now, and every change from then on, after the parts that came before it."""
         self._listeners.append(listener)
+        listener(None, self._shown)
 
     def answer_with(self, perform: Callable[[Request], None]) -> None:
         """Let a shell answer requests; it dispatches what comes of them."""

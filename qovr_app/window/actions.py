@@ -20,7 +20,6 @@ class Actions(QObject):
         self.commands, self._store = tuple(commands), store
         self._groups: dict[str, QActionGroup] = {}
         self._actions = {command.name: self._action(command) for command in self.commands}
-        self.show_state(store.state)
 
     def __getitem__(self, name: str) -> QAction:
         return self._actions[name]
@@ -29,7 +28,7 @@ class Actions(QObject):
         """Return the actions whose names begin so, in the table's order."""
         return [action for name, action in self._actions.items() if name.startswith(prefix)]
 
-    def show_state(self, state: EditorState) -> None:
+    def show_state(self, _before: EditorState | None, state: EditorState) -> None:
         """Bring check marks, enabled and the texts that say a noun to a state."""
         for command in self.commands:
             action = self._actions[command.name]
@@ -56,7 +55,7 @@ class Actions(QObject):
     def _on_triggered(self, command: Command) -> None:
         self._store.dispatch(command.intent(self._store.state))
         # Qt has turned the mark by itself, and a refused intent leaves the state as it was.
-        self.show_state(self._store.state)
+        self.show_state(None, self._store.state)
 
 
 def _name(action: QAction, verb: str, noun: str) -> None:

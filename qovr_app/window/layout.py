@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QApplication, QSizePolicy, QToolBar, QVBoxLayout, 
 
 from qovr_app.laboratory.dock import LaboratoryDock
 from qovr_app.state.editor_state import EditorState
-from qovr_app.store import Store
+from qovr_app.store import Listener, Store
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.window.view_frame import ViewFrame
@@ -57,13 +57,14 @@ class Layout(LineSplitter):
             bar.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
             side.insertWidget(0, bar)
 
-    def show_state(self, before: EditorState | None, after: EditorState) -> None:
-        """Show a state in every part; each looks at what differs from before, None the first time."""
-        for zone in self._zones.values():
-            zone.show_state(before, after)
+    @property
+    def shows(self) -> tuple[Listener, ...]:
+        """What shows states in every part, the view first: what is waited for is its frame."""
+        zones = (zone.show_state for zone in self._zones.values())
+        return (self.view_frame.show_state, self.laboratory.show_state, *zones, self._show_sides)
+
+    def _show_sides(self, _before: EditorState | None, after: EditorState) -> None:
         self._zones_side.setVisible(after.shows_zones)
-        self.view_frame.show_state(before, after)
-        self.laboratory.show_state(before, after)
 
     def commit_typed(self) -> None:
         """Take what is typed in the field that has the keyboard, as leaving the field would."""

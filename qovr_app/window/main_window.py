@@ -84,8 +84,8 @@ class MainWindow(QMainWindow):
         self._restore_layout()
         self.store.dispatch(Configured())
         self.store.flush()
-        self._show_state(None, self.store.state)
-        self.store.subscribe(self._show_state)
+        for show in (*self.parts.shows, self._actions.show_state, self._message.show_state, self._show_state):
+            self.store.subscribe(show)
 
     @property
     def view(self) -> View3D:
@@ -116,9 +116,6 @@ class MainWindow(QMainWindow):
         self.statusBar().addPermanentWidget(self._facts)
 
     def _show_state(self, before: EditorState | None, after: EditorState) -> None:
-        self.parts.show_state(before, after)
-        self._actions.show_state(after)
-        self._message.show_state(before, after)
         if after.differs(before, "document", "evaluation"):
             self._facts.setText(_facts_text(after))
         if after.differs(before, "history", "file"):

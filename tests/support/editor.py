@@ -60,7 +60,7 @@ class Editor:
     def on_evaluation(self, call):
         """Call with every surface that is shown from now on."""
         self.window.store.subscribe(
-            lambda before, after: call(after.evaluation) if after.differs(before, "evaluation") else None
+            lambda before, after: call(after.evaluation) if before and after.differs(before, "evaluation") else None
         )
 
     def settle(self):

@@ -263,6 +263,7 @@ class TestStore:
         asked, told = [], []
         store = Store(start, lambda: asked.append(None))
         store.subscribe(lambda before, after: told.append((before, after)))
+        assert told.pop() == (None, start)
         return store, asked, told
 
     def test_it_says_once_a_turn_what_has_changed(self, start):

@@ -1,0 +1,144 @@
+"""A line edit that shows a number on a cell: what the number is, and what there is to say of it."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent
+from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
+
+from qovr_app.style.fonts import number_font
+from qovr_app.style.palette import see_through, theme_in_force
+from qovr_app.widgets.cell import Marks, paint_cell
+from qovr_core.number_texts import fitted_text
+
+_PADDING = 4
+_HEIGHT_BEYOND_TEXT = 4
+
+
+class NumberCell(QLineEdit):
+    """Shows a number with as many digits as fit, and paints its state behind it.
+
+    Text that differs from that of the number is the field's own.
+    """
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._value, self._shown = 0.0, ""
+        self._error = self._warning = self._tip = ""
+        self._is_unset = self._is_idle = self._is_marked = False
+        self.setFrame(False)
+        self.setAcceptDrops(False)  # a file dropped here is meant for the window
+        self.setAlignment(Qt.AlignmentFlag.AlignRight)
+        self.setTextMargins(_PADDING - 2, 0, _PADDING - 2, 0)
+        self.setPalette(see_through(self.palette()))
+        self.setFont(number_font(self.font()))
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+
+    # The number
+
+    @property
+    def value(self) -> float:
+        """The number that was shown last, whatever is typed over it."""
+        return self._value
+
+    @property
+    def has_own_text(self) -> bool:
+        """Whether the field holds text that is not its number."""
+        return self.text() != self._shown
+
+    @property
+    def is_pending(self) -> bool:
+        """Whether what the field holds is not set."""
+        return self._is_unset or self.has_own_text
+
+    @property
+    def error(self) -> str:
+        """Why the field's own text was refused; empty where it was not."""
+        return self._error
+
+    # Marks
+
+    def set_tip(self, text: str) -> None:
+        """Say what the number means."""
+        self._tip = text
+        self._refresh()
+
+    def set_warning(self, text: str) -> None:
+        """Mark a number that is allowed but will surprise; empty takes the mark away."""
+        if text != self._warning:
+            self._warning = text
+            self._refresh()
+
+    def set_idle(self, is_idle: bool) -> None:
+        """Dim a number that has no effect now."""
+        if is_idle != self._is_idle:
+            self._is_idle = is_idle
+            self._refresh()
+
+    def set_marked(self, is_marked: bool) -> None:
+        """Frame a number that belongs to what is selected elsewhere."""
+        if is_marked != self._is_marked:
+            self._is_marked = is_marked
+            self.update()
+
+    def _refresh(self) -> None:
+        parts = [self._error, self._warning, self._tip]
+        if self.is_pending and not self._error:
+            parts.insert(0, "Not set yet: Set writes it, Get brings the active value back.")
+        self.setToolTip("\n".join(part for part in parts if part))
+        self.setAccessibleDescription(self.toolTip())
+        self.update()
+
+    # Looks
+
+    def sizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        return QSize(metrics.horizontalAdvance("0.0000") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
+
+    def minimumSizeHint(self) -> QSize:
+        metrics = self.fontMetrics()
+        return QSize(metrics.horizontalAdvance("0.00") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
+
+    def enterEvent(self, event: QEnterEvent) -> None:
+        super().enterEvent(event)
+        self.update()
+
+    def leaveEvent(self, event: QEvent) -> None:
+        super().leaveEvent(event)
+        self.update()
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        painter = QPainter(self)
+        paint_cell(painter, QRectF(self.rect()), self._marks())
+        painter.end()
+        if self.hasFocus():
+            super().paintEvent(event)
+        else:
+            self._paint_text()
+
+    def _marks(self) -> Marks:
+        return Marks(
+            is_pending=self.is_pending,
+            is_bad=bool(self._error),
+            is_warned=bool(self._warning),
+            is_marked=self._is_marked,
+            has_focus=self.hasFocus(),
+            is_hovered=self.underMouse(),
+        )
+
+    def _paint_text(self) -> None:
+        colours, painter = theme_in_force(), QPainter(self)
+        room = self.width() - 2 * _PADDING
+        metrics = self.fontMetrics()
+        text = self.text()
+        if not self.has_own_text:
+            text = fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room)
+        elif metrics.horizontalAdvance(text) > room:
+            text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
+        painter.setFont(self.font())
+        painter.setPen(QColor(*(colours.idle_ink if self._is_idle and not self.is_pending else colours.ink)))
+        painter.drawText(
+            self.rect().adjusted(_PADDING, 0, -_PADDING, 0),
+            Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
+            text,
+        )
