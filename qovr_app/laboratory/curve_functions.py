@@ -6,7 +6,8 @@ import numpy as np
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory.plots import Plot, brush
+from qovr_app.laboratory.pg import make_brush
+from qovr_app.laboratory.plots import Plot
 from qovr_app.style.symbols import coloured
 from qovr_app.style.theme import Rgb, Theme
 from qovr_core.arrays import Array
@@ -46,7 +47,7 @@ class FunctionPlot(Plot):
         for line, text, html, colour in zip(self._lines, self._texts, self.legend(), self.series, strict=True):
             line.setPen(self.pen(colour, 1.8))
             text.setHtml(html)
-            text.fill = brush(theme.background)
+            text.fill = make_brush(theme.background)
 
     @property
     def series(self) -> list[Rgb]:

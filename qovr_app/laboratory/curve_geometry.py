@@ -6,10 +6,11 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QBrush, QColor
+from PySide6.QtGui import QBrush
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory.plots import Line, Plot, brush
+from qovr_app.laboratory.pg import make_brush
+from qovr_app.laboratory.plots import Line, Plot
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Rgb, Theme
 from qovr_core.arrays import Array
@@ -54,7 +55,7 @@ class GeometryPlot(Plot):
             (self._auxiliary, 1.2, Qt.PenStyle.DashLine, 255),
         ):
             for line, colour in zip(lines, parts, strict=True):
-                line.setPen(self.pen(QColor(*colour, alpha), width, style))
+                line.setPen(self.pen((*colour, alpha), width, style))
         self._line.setPen(self.pen(theme.ink, 2.4))
         self._backward.setPen(self.pen(theme.warn, 2.4))
         self._rings.setPen(self.pen(theme.ink, 1.2))
@@ -86,7 +87,7 @@ class GeometryPlot(Plot):
         curve, plane = self._shown
         places = curve.transformed([u])[0]
         parts = np.concatenate([curve.parabola(p, [places[p]]) for p in range(3)])
-        self._hover.setData(pos=plane.drawn(curve.at([u])), brush=brush(self.colours.ink))
+        self._hover.setData(pos=plane.drawn(curve.at([u])), brush=make_brush(self.colours.ink))
         self._hover_parts.setData(pos=plane.drawn(parts), brush=_brushes(self.colours.series[1:4]))
 
     def nearest(self, place: tuple[float, float]) -> float | None:
@@ -159,4 +160,4 @@ def _set(line: Line, points: Array) -> None:
 
 
 def _brushes(colours: Sequence[Rgb]) -> list[QBrush]:
-    return [brush(colour) for colour in colours]
+    return [make_brush(colour) for colour in colours]

@@ -7,7 +7,8 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.curve_functions import FunctionPlot
-from qovr_app.laboratory.plots import Handle, brush
+from qovr_app.laboratory.pg import make_brush
+from qovr_app.laboratory.plots import Handle
 from qovr_app.state.gestures import next_gesture
 from qovr_app.style.theme import Theme
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
@@ -57,17 +58,17 @@ class TransformationsPlot(FunctionPlot):
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
-        self._lens.setBrush(brush(theme.series[2], _LENS_ALPHA))
-        self.fold.setBrush(brush(theme.warn, _FOLD_ALPHA))
+        self._lens.setBrush(make_brush((*theme.series[2], _LENS_ALPHA)))
+        self.fold.setBrush(make_brush((*theme.warn, _FOLD_ALPHA)))
         for line in self.fold.lines:
             line.setPen(self.pen(theme.warn, 1))
         for limit in self._limits:
             limit.setPen(self.pen(theme.axis, 1))
         self._outside.setPen(self.pen(theme.warn, 3))
         for handle, colour in zip(self.handles.values(), self.series, strict=True):
-            handle.setBrush(brush(theme.background))
+            handle.setBrush(make_brush(theme.background))
             handle.setPen(self.pen(colour, 2))
-            handle.setHoverBrush(brush(colour))
+            handle.setHoverBrush(make_brush(colour))
             handle.setHoverPen(self.pen(theme.ink, 2))
 
     def show_curve(self, curve: OneCurve) -> None:

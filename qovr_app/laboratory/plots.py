@@ -1,18 +1,18 @@
-"""Quiet plots in the program's own colours, for the panels of the laboratory: the one door to pyqtgraph."""
+"""Quiet plots in the program's own colours, for the panels of the laboratory."""
 
 from __future__ import annotations
 
 from typing import TypeVar
 
-import pyqtgraph as pg
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QBrush, QColor, QPen, QResizeEvent
-from PySide6.QtWidgets import QFrame, QGraphicsItem, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtGui import QPen, QResizeEvent
+from PySide6.QtWidgets import QFrame, QGraphicsObject, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
+from qovr_app.laboratory import pg
 from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
-from qovr_app.style.theme import Rgb, Theme
+from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import named
 from qovr_core.arrays import Array
 
@@ -25,7 +25,7 @@ Area = pg.FillBetweenItem
 Band = pg.LinearRegionItem
 Handle = pg.TargetItem
 
-Item = TypeVar("Item", bound=QGraphicsItem)
+Item = TypeVar("Item", bound=QGraphicsObject)
 
 _LABEL_MARGIN = 1
 _GRID = 0.16
@@ -81,9 +81,9 @@ class Plot(pg.PlotWidget):
             axis.setPen(self.pen(theme.axis))
             axis.setTextPen(self.pen(theme.quiet_ink))
 
-    def pen(self, colour: Rgb | QColor, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
+    def pen(self, colour: pg.Colour, width: float = 1.0, style: Qt.PenStyle = Qt.PenStyle.SolidLine) -> QPen:
         """Return a pen that is so many logical pixels wide at any scale of the plot."""
-        return pg.mkPen(colour, width=width * self.devicePixelRatioF(), style=style)
+        return pg.make_pen(colour, width * self.devicePixelRatioF(), style)
 
     def event(self, event: QEvent) -> bool:
         if event.type() == QEvent.Type.DevicePixelRatioChange:
@@ -179,8 +179,3 @@ class Captioned(QWidget):
             self._label.setText(text)
             if self._label.sizeHint().width() <= self.width():
                 return
-
-
-def brush(colour: Rgb, alpha: int = 255) -> QBrush:
-    """Return what fills with a colour, as opaque as ``alpha`` of 255."""
-    return QBrush(QColor(*colour, alpha))

@@ -52,6 +52,9 @@ def _scale(text: str) -> float:
 
 
 def _screenshot(arguments: argparse.Namespace) -> int:
+    from PySide6.QtCore import QByteArray
+    from PySide6.QtGui import QImageWriter
+
     from qovr_app.state.display import ThemeName
     from qovr_app.style.palette import set_theme
     from qovr_app.window.application import make_application
@@ -74,7 +77,7 @@ def _screenshot(arguments: argparse.Namespace) -> int:
         )
     picture = take_picture(window, camera=arguments.camera)
     with replacing(arguments.out) as (draft,):
-        if not picture.save(str(draft), b"PNG"):
+        if not QImageWriter(str(draft), QByteArray(b"png")).write(picture):
             raise QovrError(f"{arguments.out}: the picture cannot be written")
     window.hide()
     window.deleteLater()

@@ -1,8 +1,5 @@
 """The editor's logic as lists of intents: no window, no Qt."""
 
-import subprocess
-import sys
-
 import pytest
 
 from qovr_app.state import intents, looking_intents
@@ -34,15 +31,6 @@ def after(state: EditorState, *asked: intents.Intent) -> EditorState:
 
 def dragged(z: float, gesture: int = 7) -> intents.PointDragged:
     return intents.PointDragged(2, 2, (2.0, 2.0, z), gesture)
-
-
-def test_the_state_and_the_store_load_no_qt():
-    code = (
-        "import sys, qovr_app.store, qovr_app.state.intent_text\n"
-        "loaded = {name.split('.')[0] for name in sys.modules}\n"
-        "assert not loaded & {'PySide6', 'pyqtgraph', 'OpenGL', 'matplotlib', 'scipy'}, loaded"
-    )
-    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_a_step_changes_no_state_it_was_given(start):

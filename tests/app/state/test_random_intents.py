@@ -1,0 +1,108 @@
+"""Thousands of random intents without a window: whatever is asked in whatever order, the state holds together."""
+
+import random
+from itertools import pairwise
+
+import pytest
+
+from qovr_app.state import intents, looking_intents
+from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
+from qovr_app.state.editor_state import DocumentFile, first_state
+from qovr_app.state.intent_text import intent_of, intent_text
+from qovr_app.store import Store
+from qovr_core import FORMULATIONS
+from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
+from qovr_core.presets import preset, presets
+
+INTENTS = 3000
+KNOTS = [KnotPlace(direction, k, name) for direction in Direction for k in range(5) for name in "rsut"]
+POINTS = [CoordinatePlace(i, j, axis) for i in range(5) for j in range(5) for axis in range(3)]
+NUMBERS = [0.5, 0.25, 1 / 3, 0.875, 1.0, 0.0, -3.0, 12.5, 1e-3, 1e300, 5e-324]
+
+
+def some(rng):
+    """Return a random intent; many of them are to be refused."""
+    place, number = rng.choice(KNOTS + POINTS), rng.choice(NUMBERS)
+    gesture = rng.choice([0, 0, 1, 2])
+    i, j = rng.randrange(5), rng.randrange(5)
+    return rng.choice(
+        [
+            intents.ValuesEdited({place: number}, gesture),
+            intents.ValuesEdited({place: number}, gesture),
+            intents.ValuesPasted({rng.choice(KNOTS): number, rng.choice(POINTS): rng.choice(NUMBERS)}),
+            intents.TextTyped(place, rng.choice([None, "0.5", "abc"])),
+            intents.ZoneSet(rng.choice(list(Zone)), {}),
+            intents.ZoneRead(rng.choice(list(Zone))),
+            intents.PointDragged(i, j, (float(j), float(i), number), 3),
+            intents.GestureEnded(3),
+            intents.GestureCancelled(3),
+            intents.FormulationChosen(rng.choice(list(FORMULATIONS))),
+            intents.SamplesChosen((rng.choice([1, 2, 31]), rng.choice([3, 17, 5000]))),
+            intents.Undone(),
+            intents.Redone(),
+            intents.Configured(),
+            intents.LiveSwitched(rng.random() < 0.7),
+            intents.CurvesLinked(rng.random() < 0.5),
+            intents.DirectionsLinked(rng.random() < 0.5),
+            looking_intents.Selected(rng.choice([None, (i, j)])),
+            looking_intents.FieldFocused(place),
+            looking_intents.DisplayChosen("layer", rng.choice(list(LayerChoice))),
+            looking_intents.ReferencePinned(),
+            looking_intents.ReferenceUnpinned(),
+            looking_intents.ComparisonChosen("nurbs", rng.choice([*map(str, Placement), ""]), 4.0),
+            looking_intents.DistanceMapSwitched(rng.random() < 0.5),
+            looking_intents.PanelShown(rng.choice(["", "curve", "comparison"])),
+        ]
+    )
+
+
+def check(state):
+    """What holds in every state."""
+    assert state.evaluation is not None
+    if state.is_live:
+        assert not state.is_stale
+        assert state.draft == state.document
+    assert state.is_stale == (state.evaluation.document != state.document)
+    for place in state.texts:
+        assert state.is_pending(place)
+    for place in KNOTS:
+        assert 0 < value_at(state.draft, place) < 1
+    assert state.selection.last is None or state.selection.last in state.selection.points
+    assert state.focus is None or state.focus in (state.knot, state.selection.last)
+    assert (state.history.undo_text is None) == (state.history.index == 0)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_random_intents(seed):
+    rng = random.Random(seed)
+    shown = []
+    store = Store(first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings()), lambda: None)
+    store.subscribe(lambda before, after: shown.append((before, after)))
+    store.dispatch(intents.Configured())
+    for number in range(INTENTS):
+        intent = some(rng)
+        before = store.state
+        refused = store.dispatch(intent_of(intent_text(intent)))
+        if refused is not None:
+            assert store.state.document is before.document
+            assert store.state.history is before.history
+            assert str(refused) in store.state.message.text
+        check(store.state)
+        if number % 7 == 0:
+            store.flush()
+    steps = store.state.history.index
+    store.dispatch(intents.LiveSwitched(False))
+    for _ in range(steps):
+        store.dispatch(intents.Undone())
+    assert store.state.history.document == store.state.history.first == preset("fig5").document
+    assert all(later[0] is earlier[1] for earlier, later in pairwise(shown))
+
+
+def test_any_document_can_be_opened_after_any_other():
+    store = Store(first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings()), lambda: None)
+    store.dispatch(intents.Configured())
+    for name, entry in presets().items():
+        store.dispatch(intents.Opened(entry.document, name, preset=name))
+        check(store.state)
+        assert store.state.document == entry.document
+        assert not store.state.is_changed
