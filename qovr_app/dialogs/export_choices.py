@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
 from qovr_app.state.typed import typed_number
+from qovr_app.widgets.parts import named, words
 from qovr_core import Document, DocumentError
 from qovr_core.files import Format
 from qovr_core.files.options import ExportOptions
@@ -27,12 +28,10 @@ class ExportChoices(QWidget):
         super().__init__(parent)
         self._keeps = self._text("export.keeps")
         self._loses = self._text("export.loses")
-        self._layer = QComboBox(self, objectName="export.layer")
-        self._layer.setAccessibleName("Which surface")
+        self._layer = named(QComboBox(self), "export.layer", "Which surface")
         self._layer.addItems([str(layer) for layer in Layer])
         self._layer.setCurrentText(str(document.formulation.resting_layer))
-        self._tolerance = QLineEdit(self, objectName="export.tolerance")
-        self._tolerance.setAccessibleName("Largest distance of the mesh from the surface")
+        self._tolerance = named(QLineEdit(self), "export.tolerance", "Largest distance of the mesh from the surface")
         self._tolerance.setPlaceholderText("as the document's samples")
         self._tolerance.setToolTip(
             "How far the mesh may be from the surface, in the document's unit. Empty: its vertices are the samples."
@@ -73,6 +72,6 @@ class ExportChoices(QWidget):
         return typed
 
     def _text(self, name: str) -> QLabel:
-        label = QLabel(self, objectName=name, wordWrap=True)
+        label = words(name, self)
         label.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
         return label

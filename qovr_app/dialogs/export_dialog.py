@@ -6,7 +6,7 @@ import os
 from math import prod
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QDialog,
@@ -18,25 +18,23 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QProgressBar,
     QPushButton,
-    QTreeWidget,
-    QTreeWidgetItem,
     QVBoxLayout,
     QWidget,
 )
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.export_choices import ExportChoices
+from qovr_app.dialogs.format_list import FormatList
+from qovr_app.widgets.parts import named, words
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.files import FORMATS, Format
+from qovr_core.files import FORMATS
 from qovr_core.files.formats import export
 
 _PROGRESS_PARTS = 1000
 _WIDTH = 760
-_ROW_BEYOND_TEXT = 10
 _COLUMN_GAP = 16
-_SUFFIX_WIDTH = 64
 _FIRST_FORMAT = ".xlsx"
 
 
@@ -57,22 +55,22 @@ class ExportDialog(QDialog):
         self._document = document
         self._worker = worker
         self._job: Job | None = None
-        self._formats = self._make_formats()
+        self._formats = FormatList("export.format", self)
+        self._formats.choose(_FIRST_FORMAT)
         self._choices = ExportChoices(document, self)
-        self._path = QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self, objectName="export.path")
-        self._browse = QPushButton("&Browse…", self, objectName="export.browse")
-        self._note = QLabel(self, objectName="export.note", wordWrap=True)
-        self._bar = QProgressBar(self, objectName="export.progress")
+        self._path = named(QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self), "export.path")
+        self._browse = named(QPushButton("&Browse…", self), "export.browse")
+        self._note = words("export.note", self)
+        self._bar = named(QProgressBar(self), "export.progress")
         self._bar.setRange(0, _PROGRESS_PARTS)
         self._bar.setVisible(False)
         self._buttons = QDialogButtonBox(self)
-        self._start = self._buttons.addButton("&Export", QDialogButtonBox.ButtonRole.AcceptRole)
-        self._cancel = self._buttons.addButton(QDialogButtonBox.StandardButton.Cancel)
-        self._start.setObjectName("export.start")
-        self._cancel.setObjectName("export.cancel")
+        start = self._buttons.addButton("&Export", QDialogButtonBox.ButtonRole.AcceptRole)
+        self._start = named(start, "export.start")
+        self._cancel = named(self._buttons.addButton(QDialogButtonBox.StandardButton.Cancel), "export.cancel")
         self._arrange()
         self._connect()
-        self._choose(_FIRST_FORMAT)
+        self._describe()
 
     @property
     def path(self) -> Path | None:
@@ -81,12 +79,8 @@ class ExportDialog(QDialog):
         path = Path(text)
         if not path.name or text.endswith(("/", os.sep)):
             return None
-        suffix = self._entry.suffix
+        suffix = self._formats.entry.suffix
         return path if path.suffix.lower() == suffix else path.with_name(path.name + suffix)
-
-    @property
-    def _entry(self) -> Format:
-        return FORMATS[self._formats.currentItem().data(0, Qt.ItemDataRole.UserRole)]
 
     def reject(self) -> None:
         if self._job is None:
@@ -101,25 +95,6 @@ class ExportDialog(QDialog):
             self.reject()
         else:
             super().keyPressEvent(event)
-
-    def _make_formats(self) -> QTreeWidget:
-        tree = QTreeWidget(self, objectName="export.format")
-        tree.setAccessibleName("Format")
-        tree.setHeaderHidden(True)
-        tree.setColumnCount(2)
-        tree.setRootIsDecorated(False)
-        tree.setAllColumnsShowFocus(True)
-        for entry in FORMATS.values():
-            item = QTreeWidgetItem([entry.name, entry.suffix])
-            item.setData(0, Qt.ItemDataRole.UserRole, entry.suffix)
-            item.setSizeHint(1, QSize(0, tree.fontMetrics().height() + _ROW_BEYOND_TEXT))
-            tree.addTopLevelItem(item)
-        tree.resizeColumnToContents(0)
-        tree.setColumnWidth(0, tree.columnWidth(0) + _COLUMN_GAP)
-        tree.setFixedWidth(tree.columnWidth(0) + _SUFFIX_WIDTH)
-        tree.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        tree.setMinimumHeight(len(FORMATS) * (tree.fontMetrics().height() + _ROW_BEYOND_TEXT) + 2 * tree.frameWidth())
-        return tree
 
     def _arrange(self) -> None:
         grid = QGridLayout()
@@ -149,31 +124,24 @@ class ExportDialog(QDialog):
         self._buttons.accepted.connect(self._run)
         self._buttons.rejected.connect(self.reject)
 
-    def _choose(self, suffix: str) -> None:
-        for row in range(self._formats.topLevelItemCount()):
-            item = self._formats.topLevelItem(row)
-            if item.data(0, Qt.ItemDataRole.UserRole) == suffix:
-                self._formats.setCurrentItem(item)
-        self._describe()
-
     def _on_format_chosen(self) -> None:
         path = Path(self._path.text())
         if path.suffix.lower() in FORMATS:
-            path = path.with_suffix(self._entry.suffix)
+            path = path.with_suffix(self._formats.entry.suffix)
         self._path.setText(str(path))
         self._describe()
 
     def _on_path_typed(self, text: str) -> None:
         if Path(text).suffix.lower() in FORMATS:
             with QSignalBlocker(self._formats):
-                self._choose(Path(text).suffix.lower())
+                self._formats.choose(Path(text).suffix.lower())
         self._describe()
 
     def _describe(self) -> None:
-        self._choices.describe(self._entry)
+        self._choices.describe(self._formats.entry)
         n, m = self._document.samples
         parts = [f"{n} × {m} samples, {prod(self._document.samples):,} points."]
-        if announcement := self._entry.announce(self._document):
+        if announcement := self._formats.entry.announce(self._document):
             parts = [f"{announcement}."]
         path = self.path
         if path is not None and path.is_file():
@@ -185,16 +153,16 @@ class ExportDialog(QDialog):
     def _refusal(self, path: Path | None) -> str:
         """Return why the document cannot be written so; empty where it can."""
         try:
-            self._choices.options(self._entry)
+            self._choices.options(self._formats.entry)
             if path is not None:
-                self._entry.check(self._document, path)
+                self._formats.entry.check(self._document, path)
         except QovrError as error:
             return f"{error}."
         return ""
 
     def _on_browse(self) -> None:
         kinds = ";;".join(f"{entry.name} (*{entry.suffix})" for entry in FORMATS.values())
-        kind = f"{self._entry.name} (*{self._entry.suffix})"
+        kind = f"{self._formats.entry.name} (*{self._formats.entry.suffix})"
         options = QFileDialog.Option.DontConfirmOverwrite  # the dialog says so itself
         name, _ = QFileDialog.getSaveFileName(self, "Export Data", self._path.text(), kinds, kind, options)
         if name:
@@ -207,7 +175,7 @@ class ExportDialog(QDialog):
         self._describe()
         if not self._start.isEnabled():
             return
-        options = self._choices.options(self._entry)
+        options = self._choices.options(self._formats.entry)
         self._set_running(True)
         self._job = self._worker.run(
             export,

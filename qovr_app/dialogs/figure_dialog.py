@@ -19,6 +19,7 @@ from PySide6.QtWidgets import (
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.state.figure_options import SUFFIXES, FigureOptions
+from qovr_app.widgets.parts import named
 
 _FIRST = FigureOptions()
 _MILLIMETRES = "millimetres"
@@ -35,13 +36,13 @@ class FigureDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Save Figure")
         self.path, self._vectors = path, vectors
-        self._unit = QComboBox(objectName="figure.unit")
+        self._unit = named(QComboBox(self), "figure.unit")
         self._unit.addItems([_MILLIMETRES, _PIXELS])
         self._width = self._length("figure.width", _FIRST.width)
         self._height = self._length("figure.height", _FIRST.height)
-        self._dpi = QSpinBox(objectName="figure.dpi", minimum=30, maximum=2400, value=round(_FIRST.dpi or 300))
-        self._transparent = QCheckBox("Transparent background (PNG and SVG)", objectName="figure.transparent")
-        self._note = QLabel(objectName="figure.note")
+        self._dpi = named(QSpinBox(self, minimum=30, maximum=2400, value=round(_FIRST.dpi or 300)), "figure.dpi")
+        self._transparent = named(QCheckBox("Transparent background (PNG and SVG)", self), "figure.transparent")
+        self._note = named(QLabel(self), "figure.note")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self._choose_file)
         buttons.rejected.connect(self.reject)
@@ -70,7 +71,7 @@ class FigureDialog(QDialog):
         )
 
     def _length(self, name: str, value: float) -> QDoubleSpinBox:
-        return QDoubleSpinBox(objectName=name, decimals=1, minimum=10.0, maximum=20_000.0, value=value)
+        return named(QDoubleSpinBox(self, decimals=1, minimum=10.0, maximum=20_000.0, value=value), name)
 
     def _change_unit(self, unit: str) -> None:
         """Keep the figure's size when its unit changes."""

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
+from qovr_app.widgets.parts import named
 
 _SIZE = QSize(720, 640)
 _MARGIN = 16
@@ -20,7 +21,7 @@ class HelpDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Help")
         self.setObjectName("help")
-        text = QTextBrowser(self, objectName="help.text")
+        text = named(QTextBrowser(self), "help.text")
         text.setOpenExternalLinks(True)
         text.setFrameShape(QTextBrowser.Shape.NoFrame)
         text.document().setDocumentMargin(_MARGIN)

@@ -8,6 +8,8 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QL
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.state.typed import typed_number
+from qovr_app.widgets.parts import named
+from qovr_core import QovrError
 from qovr_core.fields import Range
 from qovr_core.number_texts import number_text
 
@@ -26,7 +28,7 @@ class RangeDialog(QDialog):
         self.setWindowTitle("Fixed Colour Range")
         self.setObjectName("colour_range")
         self._low, self._high = (self._end(name, value) for name, value in zip(("low", "high"), limits, strict=True))
-        self._note = QLabel(objectName="colour_range.note")
+        self._note = named(QLabel(self), "colour_range.note")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
@@ -43,23 +45,34 @@ class RangeDialog(QDialog):
         self._check()
 
     def _end(self, name: str, value: float) -> QLineEdit:
-        return QLineEdit(number_text(value), objectName=f"colour_range.{name}", accessibleName=f"Colours, {name} end")
+        return named(QLineEdit(number_text(value), self), f"colour_range.{name}", f"Colours, {name} end")
 
     @property
     def limits(self) -> Range:
-        """The ends as they are typed, as long as they can be accepted."""
-        low, high = (typed_number(field.text()) for field in (self._low, self._high))
+        """The ends as they are typed.
+
+        Raises
+        ------
+        QovrError : one is no number, or the upper one does not lie above the lower one
+        """
+        low, high = _end_typed("lower", self._low.text()), _end_typed("upper", self._high.text())
+        if not low < high:
+            raise QovrError("The upper end has to lie above the lower one.")
         return low, high
 
     def _check(self) -> None:
         """Say what is wrong with the fields, and let nothing wrong be accepted."""
         reason = ""
-        for name, end in zip(("lower", "upper"), self.limits, strict=True):
-            if not isinstance(end, float) or not math.isfinite(end):
-                reason = f"The {name} end is no number; expected one as 0.35 or -2e-4."
-                break
-        else:
-            if not self.limits[0] < self.limits[1]:
-                reason = "The upper end has to lie above the lower one."
+        try:
+            _ = self.limits
+        except QovrError as error:
+            reason = str(error)
         self._note.setText(reason)
         self._ok.setEnabled(not reason)
+
+
+def _end_typed(name: str, text: str) -> float:
+    end = typed_number(text)
+    if not isinstance(end, float) or not math.isfinite(end):
+        raise QovrError(f"The {name} end is no number; expected one as 0.35 or -2e-4.")
+    return end

@@ -5,13 +5,13 @@ from __future__ import annotations
 from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
-from qovr_app.laboratory.wording import value_text
 from qovr_app.state.editor_state import Focus
-from qovr_app.state.names import AXES, label
+from qovr_app.state.intents import NetIndex
+from qovr_app.state.names import AXES
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
-from qovr_app.widgets.parts import CompactButton, symbol
+from qovr_app.widgets.parts import CompactButton, named, symbol
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
 from qovr_core.edits import value_at
@@ -43,24 +43,21 @@ class ChangeBar(QWidget):
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._document: Document | None = None
+        self._focused: tuple[Document, KnotPlace | NetIndex] | None = None
         self._formulation: Formulation | None = None
-        self._focus: Focus = None
         self._typed: dict[bool, float] = {}
         """Amounts by whether they are a knot's."""
-        self._title = symbol("", parent=self)
-        self._title.setObjectName(f"{name}.title")
-        self._axis = QComboBox(self, objectName=f"{name}.axis", accessibleName="Axis along which the point moves")
+        self._title = named(symbol("", parent=self), f"{name}.title")
+        self._axis = named(QComboBox(self), f"{name}.axis", "Axis along which the point moves")
         self._axis.addItems(AXES)
         self._axis.setCurrentIndex(_FIRST_AXIS)
         self._axis.setToolTip("Axis along which the point moves")
         self._by = QLabel("by", self)
-        self._amount = NumberField("the amount", self._check, _STEP, self)
-        self._amount.setObjectName(f"{name}.amount")
-        self._amount.setAccessibleName("Amount of the change")
+        amount = NumberField("the amount", self._check, _STEP, self)
+        self._amount = named(amount, f"{name}.amount", "Amount of the change")
         self._amount.setFixedWidth(_FIELD_WIDTH)
         self._default = CompactButton("Default", f"{name}.default", "", self)
-        self._layer = QComboBox(self, objectName=f"{name}.layer", accessibleName="Surface on which it is measured")
+        self._layer = named(QComboBox(self), f"{name}.layer", "Surface on which it is measured")
         for layer in Layer:
             self._layer.addItem(layer.value, layer)
         self._layer.setToolTip("raw: the surface itself. transformed: T is computed again after the change.")
@@ -71,31 +68,24 @@ class ChangeBar(QWidget):
         self._arrange()
 
     @property
-    def change(self) -> Change:
-        """The change of what is in focus; something is."""
-        amount = self._wanted_amount()
-        if isinstance(self._focus, KnotPlace):
-            return KnotMove(self._focus, amount)
-        vector = [0.0, 0.0, 0.0]
-        vector[self._axis.currentIndex()] = amount
-        return PointMove(*self._focus, tuple(vector))
+    def change(self) -> Change | None:
+        """The change of what is in focus; None where nothing is."""
+        if self._focused is None:
+            return None
+        place, amount = self._focused[1], self._wanted_amount(*self._focused)
+        if isinstance(place, KnotPlace):
+            return KnotMove(place, amount)
+        x, y, z = (amount * (axis == self._axis.currentIndex()) for axis in range(3))
+        return PointMove(*place, (x, y, z))
 
     @property
     def layer(self) -> Layer:
         """The surface on which it is measured."""
         return Layer(self._layer.currentText())
 
-    @property
-    def what(self) -> str:
-        """The change in one line of plain text."""
-        amount = value_text(self._wanted_amount())
-        if isinstance(self._focus, KnotPlace):
-            return f"{label(self._focus)} by {amount}"
-        return "P {},{} along {} by {}".format(*self._focus, self._axis.currentText(), amount)
-
     def show_focus(self, document: Document, focus: Focus) -> None:
         """Show the controls for a knot, a point, or nothing, of a document."""
-        self._document, self._focus = document, focus
+        self._focused = None if focus is None else (document, focus)
         if document.formulation != self._formulation:
             self._formulation = document.formulation
             with QSignalBlocker(self._layer):
@@ -107,7 +97,7 @@ class ChangeBar(QWidget):
         self._title.setText(_title(focus))
         if focus is None:
             return
-        self._amount.show_value(self._wanted_amount())
+        self._amount.show_value(self._wanted_amount(document, focus))
         self._default.setEnabled(is_knot in self._typed)
         default = f"{DEFAULT_PART:g}, or as much downward" if is_knot else "a tenth of the net's size, rounded"
         self._default.setToolTip(f"Back to {default}")
@@ -118,31 +108,35 @@ class ChangeBar(QWidget):
         """Say whether there are numbers to copy."""
         self._copy.setEnabled(is_copyable)
 
-    def _wanted_amount(self) -> float:
-        is_knot = isinstance(self._focus, KnotPlace)
+    @property
+    def _is_knot(self) -> bool:
+        return self._focused is not None and isinstance(self._focused[1], KnotPlace)
+
+    def _wanted_amount(self, document: Document, place: KnotPlace | NetIndex) -> float:
+        is_knot = isinstance(place, KnotPlace)
         if is_knot in self._typed:
             return self._typed[is_knot]
-        if is_knot:
-            return default_amount(self._document, self._focus)
-        return float(f"{DEFAULT_PART * self._document.net_size:.2g}") or DEFAULT_PART
+        if isinstance(place, KnotPlace):
+            return default_amount(document, place)
+        return float(f"{DEFAULT_PART * document.net_size:.2g}") or DEFAULT_PART
 
     def _check(self, value: object, name: str) -> float:
         amount = checked_number(value, name)
         if amount == 0:
             raise DocumentError(name, "0", "a number that moves something")
-        if isinstance(self._focus, KnotPlace):
-            knot = value_at(self._document, self._focus)
+        if self._focused is not None and isinstance(place := self._focused[1], KnotPlace):
+            knot = value_at(self._focused[0], place)
             if not 0 < knot + amount < 1:
                 expected = f"more than {-knot:.6g} and less than {1 - knot:.6g}, so that the knot stays between 0 and 1"
                 raise DocumentError(name, f"{amount:g}", expected)
         return amount
 
     def _on_amount_edited(self, amount: float, _gesture: int) -> None:
-        self._typed[isinstance(self._focus, KnotPlace)] = amount
+        self._typed[self._is_knot] = amount
         self.change_edited.emit()
 
     def _on_default(self) -> None:
-        self._typed.pop(isinstance(self._focus, KnotPlace), None)
+        self._typed.pop(self._is_knot, None)
         self._amount.revert()
         self.change_edited.emit()
 
@@ -172,4 +166,5 @@ def _title(focus: Focus) -> str:
     if isinstance(focus, KnotPlace):
         knot = symbol_html(focus.letter, "ip")
         return f"{knot} of {symbol_html(focus.direction.letter, str(focus.curve))} alone changes"
-    return "{} moves along".format(symbol_html("P", "{},{}".format(*focus)))
+    i, j = focus
+    return f"{symbol_html('P', f'{i},{j}')} moves along"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import re
+from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
@@ -17,7 +18,7 @@ from qovr_app.state.requests import DocumentAsked
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
-from qovr_app.widgets.parts import CompactButton
+from qovr_app.widgets.parts import CompactButton, named
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
@@ -30,6 +31,9 @@ from qovr_core.number_texts import short_text
 
 _FIRST_WIDTHS = (450, 200)
 
+Shown = Callable[[Finding], Document | None]
+"""Which document of a finding a button opens."""
+
 
 class ClaimsPanel(LaboratoryPanel):
     """A table of verdicts, what is behind the current one, and the documents that show it.
@@ -41,28 +45,25 @@ class ClaimsPanel(LaboratoryPanel):
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, parent)
         self._document: Document | None = None
+        self._all = len(CLAIMS) * len(FORMULATIONS)
         self._found = 0
         self._row: list[Finding] = []
         self._work = QuietJob(self._begin, self)
         self._table = ClaimsTable(self)
         self._table.finding_changed.connect(self._show_finding)
         self._table.opening_requested.connect(self._open_first)
-        self._details = QTextBrowser(
-            self, objectName="laboratory.claims.details", accessibleName="What is behind the verdict"
-        )
+        self._details = named(QTextBrowser(self), "laboratory.claims.details", "What is behind the verdict")
         self._details.setFrameShape(QTextBrowser.Shape.NoFrame)
         self._details.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        self._counterexample = self._button("counterexample", "Open a document on which the claim fails")
-        self._example = self._button("example", "Open a document that shows what was found")
-        self._state = QLabel(self, objectName="laboratory.claims.state")
-        self._progress = QProgressBar(self, objectName="laboratory.claims.progress", accessibleName="Verdicts found")
-        self._all = len(CLAIMS) * len(FORMULATIONS)
+        self._counterexample = self._button(
+            "counterexample", "Open a document on which the claim fails", lambda finding: finding.counterexample
+        )
+        self._example = self._button(
+            "example", "Open a document that shows what was found", lambda finding: finding.example
+        )
+        self._state = named(QLabel(self), "laboratory.claims.state")
+        self._progress = named(QProgressBar(self), "laboratory.claims.progress", "Verdicts found")
         self._progress.setRange(0, self._all)
-        self._progress.setTextVisible(False)
-        self._progress.setFixedHeight(SPACE)
-        policy = self._progress.sizePolicy()
-        policy.setRetainSizeWhenHidden(True)
-        self._progress.setSizePolicy(policy)
         self._arrange()
 
     @property
@@ -80,7 +81,7 @@ class ClaimsPanel(LaboratoryPanel):
 
     def _look_again(self, document: Document) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
-        document = replace(document, formulation=next(iter(FORMULATIONS)), samples=SAMPLES)
+        document = replace(document, formulation=next(iter(FORMULATIONS.values())), samples=SAMPLES)
         if document == self._document:
             return
         self._document, self._found = document, 0
@@ -143,14 +144,15 @@ class ClaimsPanel(LaboratoryPanel):
                 return
         self.tell("There is no counterexample: the claim holds on everything that was tried.")
 
-    def _open(self, kind: str) -> None:
+    def _open(self, kind: str, shown_by: Shown) -> None:
         finding = self._table.current_finding()
-        title = f"{kind.capitalize()} to {finding.claim.name}, {finding.formulation}"
-        self.store.dispatch(DocumentAsked(getattr(finding, kind), title))
+        if finding is not None and (document := shown_by(finding)) is not None:
+            title = f"{kind.capitalize()} to {finding.claim.name}, {finding.formulation}"
+            self.store.dispatch(DocumentAsked(document, title))
 
-    def _button(self, kind: str, tip: str) -> CompactButton:
+    def _button(self, kind: str, tip: str, shown_by: Shown) -> CompactButton:
         button = CompactButton(f"Open {kind}", f"laboratory.claims.{kind}", tip, self)
-        button.clicked.connect(lambda _checked: self._open(kind))
+        button.clicked.connect(lambda _checked: self._open(kind, shown_by))
         button.setVisible(False)
         return button
 
@@ -173,6 +175,11 @@ class ClaimsPanel(LaboratoryPanel):
         splitter.setSizes(_FIRST_WIDTHS)
         splitter.setStretchFactor(0, 3)
         splitter.setStretchFactor(1, 2)
+        self._progress.setTextVisible(False)
+        self._progress.setFixedHeight(SPACE)
+        policy = self._progress.sizePolicy()
+        policy.setRetainSizeWhenHidden(True)
+        self._progress.setSizePolicy(policy)
         self._state.setContentsMargins(2 * SPACE, 0, 2 * SPACE, 0)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, SPACE)

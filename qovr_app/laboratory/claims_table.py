@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QModelIndex, QRect, QSize, Qt, Signal
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -11,13 +11,13 @@ from PySide6.QtWidgets import (
     QStyledItemDelegate,
     QStyleOptionViewItem,
     QTableWidget,
-    QTableWidgetItem,
     QWidget,
 )
 
 from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.quiet_table import QuietTable
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS, Claim
 from qovr_core.laboratory.verify import Finding, Verdict
@@ -32,7 +32,7 @@ _COLUMN_WIDTH = 112
 _OLD_OPACITY = 0.4
 
 
-class ClaimsTable(QTableWidget):
+class ClaimsTable(QuietTable):
     """Shows findings as they come.
 
     Signals
@@ -45,22 +45,16 @@ class ClaimsTable(QTableWidget):
     opening_requested = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(len(CLAIMS), 1 + len(FORMULATIONS), parent)
-        self.setObjectName("laboratory.claims.table")
-        self.setAccessibleName("The paper's claims and the verdict for every formulation")
+        shape, spoken = (len(CLAIMS), 1 + len(FORMULATIONS)), "The paper's claims and the verdict for every formulation"
+        super().__init__(shape, "laboratory.claims.table", spoken, parent)
         self._claims, self._formulations = list(CLAIMS.values()), list(FORMULATIONS.values())
         self._of_document = self._formulations[0]
         self.setItemDelegate(_TwoLines(self))
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        self.setTabKeyNavigation(False)
-        self.setShowGrid(False)
-        self.setFrameShape(QTableWidget.Shape.NoFrame)
         self.setWordWrap(False)
         self._arrange_headers()
-        self._style_header()
         for row, claim in enumerate(CLAIMS.values()):
             self._fill_row(row, claim)
         self.setCurrentCell(0, 1)
@@ -101,8 +95,8 @@ class ClaimsTable(QTableWidget):
     def current_finding(self) -> Finding | None:
         """Return the finding of the current cell; a claim's own cell stands for the document's formulation."""
         column = self.currentColumn() or 1 + self._formulations.index(self._of_document)
-        item = self.item(self.currentRow(), column)
-        return item.data(_FINDING) if item is not None else None
+        finding = self.item(self.currentRow(), column).data(_FINDING)
+        return finding if isinstance(finding, Finding) else None
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
@@ -110,13 +104,7 @@ class ClaimsTable(QTableWidget):
             return
         super().keyPressEvent(event)
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._style_header()
-
-    def _style_header(self) -> None:
-        """Style the header in the theme in force; what a style sheet has drawn once keeps its colours."""
+    def style_headers(self) -> None:
         self.horizontalHeader().setStyleSheet(
             f"QHeaderView::section {{ border: none; background: palette(button); padding: {SPACE}px {2 * SPACE}px; }}"
         )
@@ -136,14 +124,11 @@ class ClaimsTable(QTableWidget):
         down.setDefaultSectionSize(self.itemDelegate().sizeHint(QStyleOptionViewItem(), QModelIndex()).height())
 
     def _fill_row(self, row: int, claim: Claim) -> None:
-        name = QTableWidgetItem()
+        name = self.item(row, 0)
         name.setData(_FIRST, claim.name)
         name.setData(_SECOND, claim.text)
         name.setData(Qt.ItemDataRole.AccessibleTextRole, f"{claim.name}: {claim.text}, {claim.where}")
         name.setToolTip(f"{claim.text}\n{claim.where}")
-        self.setItem(row, 0, name)
-        for column in range(1, self.columnCount()):
-            self.setItem(row, column, QTableWidgetItem())
 
 
 class _TwoLines(QStyledItemDelegate):
@@ -151,14 +136,17 @@ class _TwoLines(QStyledItemDelegate):
 
     def __init__(self, table: QTableWidget) -> None:
         super().__init__(table)
+        self._height = _LINES * table.fontMetrics().height() + 2 * SPACE
         self._strong = QFont(table.font())
         self._strong.setBold(True)
         self._small = small_number_font(table.font())
 
-    def sizeHint(self, _option: QStyleOptionViewItem, _index: QModelIndex) -> QSize:
-        return QSize(_COLUMN_WIDTH, _LINES * self.parent().fontMetrics().height() + 2 * SPACE)
+    def sizeHint(self, _option: QStyleOptionViewItem, _index: QModelIndex | QPersistentModelIndex) -> QSize:
+        return QSize(_COLUMN_WIDTH, self._height)
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex) -> None:
+    def paint(
+        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
+    ) -> None:
         painter.save()
         if option.state & QStyle.StateFlag.State_Selected:
             painter.fillRect(option.rect, QColor(*theme_in_force().accent_cell))

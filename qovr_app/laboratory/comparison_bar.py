@@ -12,7 +12,7 @@ from qovr_app.store import Dispatch
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
-from qovr_app.widgets.parts import CompactButton, symbol
+from qovr_app.widgets.parts import CompactButton, named, symbol
 from qovr_core import DocumentError
 from qovr_core.checks import checked_number, described
 from qovr_core.fields import Field
@@ -39,22 +39,17 @@ class ComparisonBar(QWidget):
     def __init__(self, dispatch: Dispatch, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._dispatch = dispatch
-        self._surface = QComboBox(
-            self, objectName=f"{_NAME}.surface", accessibleName="Surface shown in the view besides QOVR"
-        )
+        self._surface = named(QComboBox(self), f"{_NAME}.surface", "Surface shown in the view besides QOVR")
         for index, (name, surface) in enumerate(COMPARISON_SURFACES.items()):
             self._surface.addItem(surface.title, name)
             self._surface.setItemData(index, surface.description, _TOOL_TIP)
         self._surface.setToolTip("The surface of the same net that the view shows besides QOVR")
-        self._placement = QComboBox(
-            self, objectName=f"{_NAME}.placement", accessibleName="Where the view shows the surface"
-        )
+        self._placement = named(QComboBox(self), f"{_NAME}.placement", "Where the view shows the surface")
         for placement, text in _PLACEMENTS.items():
             self._placement.addItem(text, placement)
         self._placement.setToolTip("Over: its lines on QOVR's picture. Beside: a picture of its own, same camera.")
         self._weight_label = symbol("", parent=self)
-        self._weight = NumberField("the weight", _checked_weight, 1.0, self)
-        self._weight.setObjectName(f"{_NAME}.weight")
+        self._weight = named(NumberField("the weight", _checked_weight, 1.0, self), f"{_NAME}.weight")
         self._weight.setFixedWidth(_FIELD_WIDTH)
         self._distances = DistanceMapSwitch(dispatch, self)
         self._copy = CompactButton(

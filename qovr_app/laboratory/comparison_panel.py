@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
@@ -13,7 +15,7 @@ from qovr_app.state.intents import NetIndex
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
-from qovr_app.widgets.parts import symbol
+from qovr_app.widgets.parts import named, symbol
 from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
@@ -32,15 +34,13 @@ class ComparisonPanel(LaboratoryPanel):
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, parent)
         self._wanted: tuple[Document, NetIndex, float] | None = None
-        self._input: ComparisonInput | None = None
         self._measures: dict[str, Measures] = {}
         self._work = QuietJob(self._begin, self)
         self._bar = ComparisonBar(store.dispatch, self)
         self._bar.copy_requested.connect(self._copy)
         self._bar.refused.connect(self.refuse)
         self._bar.set_copyable(False)
-        self._state = symbol("", quiet=True, parent=self)
-        self._state.setObjectName("laboratory.comparison.state")
+        self._state = named(symbol("", quiet=True, parent=self), "laboratory.comparison.state")
         self._state.setWordWrap(True)
         self._table = ComparisonTable(self)
         self._arrange()
@@ -83,18 +83,19 @@ class ComparisonPanel(LaboratoryPanel):
         if self._wanted is None:
             return None
         try:
-            self._input = ComparisonInput(*self._wanted)
+            compared = ComparisonInput(*self._wanted)
         except QovrError as error:
             self._refuse(error)
             return None
-        self._state.setText(f"{_motion_html(self._input)} Measuring …")
-        return self.worker.run(compare, *self._wanted, on_progress=self._on_found, on_failed=self._refuse)
+        self._state.setText(f"{_motion_html(compared)} Measuring …")
+        on_found = partial(self._on_found, compared)
+        return self.worker.run(compare, *self._wanted, on_progress=on_found, on_failed=self._refuse)
 
-    def _on_found(self, name: str, measures: Measures) -> None:
+    def _on_found(self, compared: ComparisonInput, name: str, measures: Measures) -> None:
         self._measures[name] = measures
-        self._table.show_measures(name, measures, self._input.document.net_size)
+        self._table.show_measures(name, measures, compared.document.net_size)
         if self.is_current:
-            self._state.setText(f"{_motion_html(self._input)} Lengths are in the net's units.")
+            self._state.setText(f"{_motion_html(compared)} Lengths are in the net's units.")
             self._bar.set_copyable(True)
 
     def _refuse(self, error: QovrError) -> None:
@@ -102,8 +103,10 @@ class ComparisonPanel(LaboratoryPanel):
         self._state.setText(f"Nothing to measure: {error}.")
 
     def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(copied_text(Comparison(self._input, self._measures)))
-        self.tell("Copied the comparison")
+        if self._wanted is not None:
+            comparison = Comparison(ComparisonInput(*self._wanted), self._measures)
+            QGuiApplication.clipboard().setText(copied_text(comparison))
+            self.tell("Copied the comparison")
 
     def _arrange(self) -> None:
         layout = QVBoxLayout(self)
@@ -115,5 +118,5 @@ class ComparisonPanel(LaboratoryPanel):
 
 
 def _motion_html(of: ComparisonInput) -> str:
-    point = symbol_html("P", "{},{}".format(*of.point))
-    return f"{point} moves by {of.step:.4g} along <i>z</i>, a tenth of the net's size."
+    i, j = of.point
+    return f"{symbol_html('P', f'{i},{j}')} moves by {of.step:.4g} along <i>z</i>, a tenth of the net's size."

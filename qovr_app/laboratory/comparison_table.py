@@ -2,43 +2,38 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QSize, Qt
-from PySide6.QtGui import QColor, QFont, QGuiApplication, QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtGui import QColor, QFont
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.laboratory.comparison import Measures, compared_names
 from qovr_core.laboratory.comparison_report import ROWS, surface_descriptions, surface_titles
 
 _WIDEST_TEXT = "Catmull-Rom"
 _ROW_BEYOND_TEXT = 2
-_RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 
 
-class ComparisonTable(QTableWidget):
+class ComparisonTable(QuietTable):
     """Shows measures as they come; those of the document before are pale until then."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
         self._names, self._titles = compared_names(), surface_titles()
-        super().__init__(len(ROWS), 1 + len(self._names), parent)
-        self.setObjectName("laboratory.comparison.table")
-        self.setAccessibleName("Measures of the QOVR surface and of the classical surfaces of its net")
+        shape = len(ROWS), 1 + len(self._names)
+        spoken = "Measures of the QOVR surface and of the classical surfaces of its net"
+        super().__init__(shape, "laboratory.comparison.table", spoken, parent)
         self._new: set[str] = set()
         self.setFont(number_font(self.font()))
-        self.setFrameShape(QTableWidget.Shape.NoFrame)
-        self.setShowGrid(False)
         self.setAlternatingRowColors(True)
         self.setWordWrap(False)
-        self.setTabKeyNavigation(False)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self._fill()
         self._arrange_headers()
-        self._style_header()
         self.refresh_colours()
 
     def show_compared(self, shown: str | None) -> None:
@@ -79,23 +74,12 @@ class ComparisonTable(QTableWidget):
             for column, name in enumerate(self._names, start=1):
                 self.item(row, column).setForeground(ink if name in self._new else idle_ink)
 
-    def selected_text(self) -> str:
+    def text_to_copy(self) -> str:
         """Return what is selected, tab separated."""
         rows: dict[int, list[str]] = {}
         for index in sorted(self.selectedIndexes()):
             rows.setdefault(index.row(), []).append(self.item(index.row(), index.column()).text())
         return "".join("\t".join(texts) + "\n" for texts in rows.values())
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.matches(QKeySequence.StandardKey.Copy):
-            QGuiApplication.clipboard().setText(self.selected_text())
-        else:
-            super().keyPressEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._style_header()
 
     def sizeHint(self) -> QSize:
         down = self.verticalHeader().defaultSectionSize()
@@ -104,14 +88,14 @@ class ComparisonTable(QTableWidget):
     def _fill(self) -> None:
         for row, measure in enumerate(ROWS):
             for column in range(self.columnCount()):
-                item = QTableWidgetItem(measure.label if column == 0 else "")
+                item = self.item(row, column)
                 item.setToolTip(measure.explanation)
                 if column:
-                    item.setTextAlignment(_RIGHT)
-                self.setItem(row, column, item)
+                    item.setTextAlignment(RIGHT)
+                else:
+                    item.setText(measure.label)
 
-    def _style_header(self) -> None:
-        """Style the header in the theme in force; what a style sheet has drawn once keeps its colours."""
+    def style_headers(self) -> None:
         self.horizontalHeader().setStyleSheet(
             f"QHeaderView::section {{ border: none; background: palette(button); padding: {SPACE}px {SPACE}px; }}"
         )
@@ -127,7 +111,7 @@ class ComparisonTable(QTableWidget):
         width = self.fontMetrics().horizontalAdvance(_WIDEST_TEXT) + 4 * SPACE
         for column, name in enumerate(self._names, start=1):
             header = self.horizontalHeaderItem(column)
-            header.setTextAlignment(_RIGHT)
+            header.setTextAlignment(RIGHT)
             header.setToolTip(surface_descriptions()[name])
             across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
             across.resizeSection(column, width)

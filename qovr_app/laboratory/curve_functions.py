@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory import pg
+from qovr_app.laboratory.pg import make_brush
 from qovr_app.laboratory.plots import Plot
 from qovr_app.style.symbols import coloured
 from qovr_app.style.theme import Rgb, Theme
@@ -34,13 +33,9 @@ class FunctionPlot(Plot):
     ) -> None:
         super().__init__(name, spoken, parent)
         self._symbols, self._colours = symbols, colours
-        self._values: Array | None = None
         self.setMouseEnabled(x=False, y=False)
         self.view_box.setXRange(0, 1)
-        self._knot = pg.InfiniteLine(angle=90)
-        self._hover = pg.InfiniteLine(angle=90)
-        for line in (self._knot, self._hover):
-            self.addItem(line, ignoreBounds=True)
+        self._knot, self._hover = self.make_upright(), self.make_upright()
         self._hover.setVisible(False)
         self._lines = [self.make_line() for _ in symbols]
         self._texts = [self.make_text() for _ in symbols]
@@ -52,13 +47,17 @@ class FunctionPlot(Plot):
         for line, text, html, colour in zip(self._lines, self._texts, self.legend(), self.series, strict=True):
             line.setPen(self.pen(colour, 1.8))
             text.setHtml(html)
-            text.fill.setColor(QColor(*theme.background))
-            text.fill.setStyle(Qt.BrushStyle.SolidPattern)
+            text.fill = make_brush(theme.background)
 
     @property
     def series(self) -> list[Rgb]:
         """The functions' colours."""
         return [self.colours.series[number] for number in self._colours]
+
+    @property
+    def values(self) -> Array:
+        """What is drawn at ``SAMPLES``, (n, k)."""
+        return np.stack([line.getData()[1] for line in self._lines], axis=1)
 
     def legend(self, values: Array | None = None, *, decimals: int = 3, named: bool = True) -> list[str]:
         """Return the functions' names in their colours as rich text, with their values where they are given."""
@@ -70,13 +69,12 @@ class FunctionPlot(Plot):
 
     def show_functions(self, values: Array, u_ip: float, bounds: tuple[float, float]) -> None:
         """Show the functions' values at ``SAMPLES``, (n, k), in a range that holds ``bounds`` at least."""
-        self._values = values
         for k, line in enumerate(self._lines):
             line.setData(SAMPLES, values[:, k])
         low, high = bounds
         for k, place in enumerate(label_places(np.where((low < values) & (values < high), values, np.nan))):
-            self._texts[k].setPos(SAMPLES[place], values[place, k])
-        self._knot.setPos(u_ip)
+            self._texts[k].setPos(float(SAMPLES[place]), float(values[place, k]))
+        self._knot.setValue(u_ip)
         self.view_box.setYRange(*bounds)
         self.settle()
 
@@ -84,7 +82,7 @@ class FunctionPlot(Plot):
         """Mark a parameter; None takes the mark away."""
         self._hover.setVisible(u is not None)
         if u is not None:
-            self._hover.setPos(u)
+            self._hover.setValue(u)
 
 
 class WeightsPlot(FunctionPlot):

@@ -9,11 +9,11 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory import pg
-from qovr_app.laboratory.plots import Plot
+from qovr_app.laboratory.pg import make_brush
+from qovr_app.laboratory.plots import Line, Plot
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Rgb, Theme
-from qovr_core.arrays import Array, read_only
+from qovr_core.arrays import Array
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
@@ -21,7 +21,6 @@ from qovr_core.laboratory.planes import Plane, View, plane_of
 _POINT, _RING, _DOT = 9, 15, 7
 _BLENDED_ALPHA = 90
 _ROOM_FOR_LABELS = 0.2
-_NOWHERE = read_only(np.empty((0, 2)))
 _ROOM_FOR_KNOTS = 380
 """From this width on the points' labels also name the knots without touching each other."""
 
@@ -32,7 +31,7 @@ class GeometryPlot(Plot):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__("laboratory.curve.geometry", "The curve, its points and its three parabolas", parent)
         self.view_box.setDefaultPadding(_ROOM_FOR_LABELS)
-        self._drawn: tuple[OneCurve, Plane] | None = None
+        self._shown: tuple[OneCurve, Plane] | None = None
         self._polygon = self.make_line()
         self._auxiliary = [self.make_line(bounds=False) for _ in range(3)]
         self._blended = [self.make_line() for _ in range(3)]
@@ -45,11 +44,6 @@ class GeometryPlot(Plot):
         self._parabola_texts = [self.make_text() for _ in range(3)]
         self._point_htmls = [""] * 5
         self.view_box.sigResized.connect(self._on_resized)
-
-    @property
-    def plane(self) -> Plane | None:
-        """The plane in which the curve is drawn; None before there is one."""
-        return self._drawn and self._drawn[1]
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
@@ -71,42 +65,41 @@ class GeometryPlot(Plot):
         self._hover_parts.setPen(self.pen(theme.background, 1))
         for k, text in enumerate(self._parabola_texts):
             text.setHtml(coloured(f"{symbol_html('Q', str(k))}(<i>{'rst'[k]}</i>)", parts[k]))
-        self._draw()
+        if self._shown is not None:
+            self._draw(*self._shown)
 
     def show_curve(self, curve: OneCurve, view: View) -> None:
         """Show a curve in a plane."""
         plane = plane_of(curve.points, view)
-        self._drawn = curve, plane
+        self._shown = curve, plane
         for side, label in zip(("bottom", "left"), plane.labels, strict=True):
             if label != self.getAxis(side).labelText:
                 self.setLabel(side, label)
-        self._draw()
+        self._draw(curve, plane)
 
     def show_hover(self, u: float | None) -> None:
         """Mark the place of a parameter on the curve, and the three that are blended there; None takes marks away."""
-        if u is None or self._drawn is None:
-            self._hover.setData(pos=_NOWHERE)
-            self._hover_parts.setData(pos=_NOWHERE)
+        is_shown = u is not None and self._shown is not None
+        for dots in (self._hover, self._hover_parts):
+            dots.setVisible(is_shown)
+        if u is None or self._shown is None:
             return
-        curve, plane = self._drawn
+        curve, plane = self._shown
         places = curve.transformed([u])[0]
         parts = np.concatenate([curve.parabola(p, [places[p]]) for p in range(3)])
-        self._hover.setData(pos=plane.drawn(curve.at([u])), brush=self.colours.ink)
+        self._hover.setData(pos=plane.drawn(curve.at([u])), brush=make_brush(self.colours.ink))
         self._hover_parts.setData(pos=plane.drawn(parts), brush=_brushes(self.colours.series[1:4]))
 
     def nearest(self, place: tuple[float, float]) -> float | None:
-        """Return the parameter whose point is drawn nearest to a place, as the eye measures it; None without one."""
-        if self._drawn is None:
+        """Return the parameter whose point is drawn nearest to a place, as the eye sees it; None without a curve."""
+        if self._shown is None:
             return None
-        curve, plane = self._drawn
-        pixel = np.array(self.view_box.viewPixelSize())
-        drawn = plane.drawn(curve.at(SAMPLES))
-        return float(SAMPLES[np.argmin(np.linalg.norm((drawn - place) / pixel, axis=1))])
+        curve, plane = self._shown
+        apart = (plane.drawn(curve.at(SAMPLES)) - place) / np.array(self.view_box.viewPixelSize())
+        return float(SAMPLES[np.argmin(np.linalg.norm(apart, axis=1))])
 
-    def _draw(self) -> None:
-        if self._drawn is None:
-            return
-        (curve, plane), drawn = self._drawn, self._drawn[1].drawn
+    def _draw(self, curve: OneCurve, plane: Plane) -> None:
+        drawn = plane.drawn
         points = drawn(curve.points)
         _set(self._polygon, points)
         for p in range(3):
@@ -158,13 +151,13 @@ class GeometryPlot(Plot):
         return f'<div align="center">{name}<br>{coloured(text, self.colours.quiet_ink)}</div>'
 
     def _on_resized(self) -> None:
-        if self._drawn is not None:
-            self._place_texts(*self._drawn)
+        if self._shown is not None:
+            self._place_texts(*self._shown)
 
 
-def _set(line: pg.PlotCurveItem, points: Array) -> None:
+def _set(line: Line, points: Array) -> None:
     line.setData(points[:, 0], points[:, 1])
 
 
 def _brushes(colours: Sequence[Rgb]) -> list[QBrush]:
-    return [pg.make_brush(colour) for colour in colours]
+    return [make_brush(colour) for colour in colours]

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory import pg
 from qovr_app.laboratory.curve_functions import FunctionPlot
+from qovr_app.laboratory.pg import make_brush
+from qovr_app.laboratory.plots import Handle
 from qovr_app.state.gestures import next_gesture
 from qovr_app.style.theme import Theme
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
@@ -47,31 +48,27 @@ class TransformationsPlot(FunctionPlot):
             [1, 2, 3],
             parent,
         )
+        self._places: dict[str, tuple[float, float]] = {}
         self._gesture = 0
-        self._places = dict.fromkeys(_KNOTS_OF, (0.0, 0.0))
-        lens = [pg.PlotCurveItem(SAMPLES, SAMPLES**2), pg.PlotCurveItem(SAMPLES, 2 * SAMPLES - SAMPLES**2)]
-        self._lens = pg.FillBetweenItem(*lens)
-        self._fold = pg.LinearRegionItem(movable=False)
-        self._limits = [pg.InfiniteLine(pos=value, angle=0) for value in (0, 1)]
+        self._lens = self.make_area(SAMPLES, SAMPLES**2, 2 * SAMPLES - SAMPLES**2)
+        self.fold = self.make_band()
+        self._limits = [self.make_level(value) for value in (0, 1)]
         self._outside = self.make_line()
-        for item in (self._lens, self._fold, *self._limits):
-            item.setZValue(-10)
-            self.addItem(item, ignoreBounds=True)
         self.handles = {name: self._make_handle(name) for name in _KNOTS_OF}
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
-        self._lens.setBrush((*theme.series[2], _LENS_ALPHA))
-        self._fold.setBrush((*theme.warn, _FOLD_ALPHA))
-        for line in self._fold.lines:
+        self._lens.setBrush(make_brush((*theme.series[2], _LENS_ALPHA)))
+        self.fold.setBrush(make_brush((*theme.warn, _FOLD_ALPHA)))
+        for line in self.fold.lines:
             line.setPen(self.pen(theme.warn, 1))
         for limit in self._limits:
             limit.setPen(self.pen(theme.axis, 1))
         self._outside.setPen(self.pen(theme.warn, 3))
         for handle, colour in zip(self.handles.values(), self.series, strict=True):
-            handle.setBrush(pg.make_brush(theme.background))
+            handle.setBrush(make_brush(theme.background))
             handle.setPen(self.pen(colour, 2))
-            handle.setHoverBrush(pg.make_brush(colour))
+            handle.setHoverBrush(make_brush(colour))
             handle.setHoverPen(self.pen(theme.ink, 2))
 
     def show_curve(self, curve: OneCurve) -> None:
@@ -80,34 +77,32 @@ class TransformationsPlot(FunctionPlot):
         low, high = (end(limit, end(values[:, 1])) for end, limit in zip((min, max), _LEAST_RANGE, strict=True))
         self.show_functions(values, curve.knots.u, (low - _HEADROOM, high + _HEADROOM))
         fold = curve.fold_back
-        self._fold.setVisible(fold is not None)
+        self.fold.setVisible(fold is not None)
         if fold:
-            self._fold.setRegion(fold.backward)
+            self.fold.setRegion(fold.backward)
         u = np.linspace(*fold.outside, 41) if fold else SAMPLES[:0]
         self._outside.setData(u, curve.transformed(u)[:, 1])
         r, s, t = curve.internal_knots
         self._places = {"r": (0.0, r), "s": (curve.knots.u, s), "t": (1.0, t)}
         self._place_handles()
 
-    def _make_handle(self, name: str) -> pg.TargetItem:
-        handle = pg.TargetItem(size=_HANDLE, symbol="o")
-        handle.setZValue(10)
+    def _make_handle(self, name: str) -> Handle:
+        handle = self.make_handle(_HANDLE)
         handle.setCursor(Qt.CursorShape.SizeAllCursor if name == "s" else Qt.CursorShape.SizeVerCursor)
         handle.sigPositionChanged.connect(lambda: self._on_handle_moved(name))
         handle.sigPositionChangeFinished.connect(self._on_handle_left)
-        self.addItem(handle, ignoreBounds=True)
         return handle
 
     def _place_handles(self) -> None:
         """Put the handles where the knots are, silently."""
-        for name, handle in self.handles.items():
-            handle.blockSignals(True)
-            handle.setPos(self._places[name])
-            handle.blockSignals(False)
+        for name, place in self._places.items():
+            with QSignalBlocker(self.handles[name]):
+                self.handles[name].setPos(*place)
 
     def _on_handle_moved(self, name: str) -> None:
         self._gesture = self._gesture or next_gesture()
-        wanted = dict(zip(("u", name) if name == "s" else (None, name), self.handles[name].pos(), strict=True))
+        place = self.handles[name].pos()
+        wanted = {"u": place.x(), name: place.y()}
         self._place_handles()
         self.knots_moved.emit({knot: _allowed(wanted[knot]) for knot in _KNOTS_OF[name]}, self._gesture)
 

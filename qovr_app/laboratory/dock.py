@@ -12,6 +12,7 @@ from qovr_app.state.editor_state import EditorState
 from qovr_app.state.looking_intents import PanelShown
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.parts import named
 from qovr_app.work.worker import Worker
 
 _FIRST_SIZE = QSize(640, 330)
@@ -38,7 +39,7 @@ class LaboratoryDock(QWidget):
         self._due = QTimer(self, singleShot=True, interval=0)
         self._due.timeout.connect(self._show_panel)
         self._tabs = self._make_tabs()
-        self._stale = QLabel("older than what is set", self, objectName="laboratory.stale")
+        self._stale = named(QLabel("older than what is set", self), "laboratory.stale")
         self._stale.setToolTip("All panels are of the surface configured last.")
         self._stale.setVisible(False)
         self._stack = QStackedWidget(self)
@@ -90,7 +91,7 @@ class LaboratoryDock(QWidget):
         return panel
 
     def _make_tabs(self) -> QTabBar:
-        tabs = QTabBar(self, objectName="laboratory.tabs", accessibleName="Panels of the laboratory")
+        tabs = named(QTabBar(self), "laboratory.tabs", "Panels of the laboratory")
         tabs.setDocumentMode(True)
         tabs.setDrawBase(False)
         tabs.setExpanding(False)
@@ -101,7 +102,7 @@ class LaboratoryDock(QWidget):
         return tabs
 
     def _arrange(self) -> None:
-        close = QToolButton(self, objectName="laboratory.close", accessibleName="Close the laboratory")
+        close = named(QToolButton(self), "laboratory.close", "Close the laboratory")
         close.setText("×")
         close.setToolTip("Close the laboratory")
         close.setAutoRaise(True)

@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from math import log10
+import math
 
 import numpy as np
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory import pg
 from qovr_app.laboratory.influence_numbers import DISTANCE
-from qovr_app.laboratory.plots import Plot
+from qovr_app.laboratory.plots import Plot, Series
 from qovr_app.style.symbols import coloured
 from qovr_app.style.theme import Rgb, Theme
 from qovr_core.arrays import Array
+from qovr_core.laboratory.falloff import Falloff
 from qovr_core.laboratory.influence import Influence
 
 _EVERY = 4
@@ -43,14 +43,13 @@ class FalloffPlot(Plot):
         self.setLabel("bottom", "<i>d</i> in <i>u</i>, <i>v</i>")
         self.getAxis("left").setStyle(autoExpandTextSpace=True)
         self.getPlotItem().layout.setContentsMargins(0, _TOP_MARGIN, 0, 0)
-        self._influence: Influence | None = None
+        self._shown: tuple[Influence, Falloff] | None = None
         self._is_logarithmic = False
         self._samples = self.plot(pen=None, symbol="o", symbolSize=_DOT_PIXELS, symbolPen=None)
         self.exponential = self.plot()
         self.envelope = self.plot()
-        self._reading = pg.InfiniteLine(angle=90)
+        self._reading = self.make_upright()
         self._reading.setVisible(False)
-        self.addItem(self._reading, ignoreBounds=True)
 
     @property
     def legend(self) -> tuple[str, str]:
@@ -78,26 +77,25 @@ class FalloffPlot(Plot):
         """Choose the scale of the displacement."""
         self._is_logarithmic = is_logarithmic
         self.setLogMode(x=False, y=is_logarithmic)
-        if self._influence is not None:
-            self.show_influence(self._influence)
+        if self._shown is not None:
+            self.show_influence(*self._shown)
 
-    def show_influence(self, influence: Influence) -> None:
-        """Show an influence in which something moves."""
-        self._influence, fall, least = influence, influence.falloff, _FLOOR * influence.largest
-        if fall is None:
-            return
+    def show_influence(self, influence: Influence, fall: Falloff) -> None:
+        """Show how an influence falls off."""
+        self._shown = influence, fall
         farthest = float(fall.envelope[-1, 0])
         distances = np.linspace(0.0, farthest, _CURVE_POINTS)
+        least = _FLOOR * influence.largest if self._is_logarithmic else -math.inf
         thinned = (slice(None, None, _EVERY),) * 2
         self._put(self._samples, fall.distance[thinned].ravel(), influence.magnitude[thinned].ravel(), least)
         self._put(self.envelope, fall.envelope[:, 0], fall.envelope[:, 1], least)
         self._put(self.exponential, distances, fall.exponential.at(distances), least)
         top = max(influence.largest, fall.exponential.amplitude)
         self.view_box.setXRange(0.0, farthest)
+        low, high = 0.0, _HEADROOM * top
         if self._is_logarithmic:
-            self.view_box.setYRange(log10(_FLOOR * top), log10(_LOGARITHMIC_HEADROOM * top), padding=0)
-        else:
-            self.view_box.setYRange(0.0, _HEADROOM * top, padding=0)
+            low, high = math.log10(_FLOOR * top), math.log10(_LOGARITHMIC_HEADROOM * top)
+        self.view_box.setYRange(low, high, padding=0)
 
     def show_reading(self, distance: float | None) -> None:
         """Mark a distance; None takes the mark away."""
@@ -105,9 +103,8 @@ class FalloffPlot(Plot):
         if distance is not None:
             self._reading.setValue(distance)
 
-    def _put(self, item: pg.PlotDataItem, distance: Array, displacement: Array, least: float) -> None:
-        """Show a series; what is nothing, up to the least displacement, has no place on a logarithmic scale."""
-        if self._is_logarithmic:
-            kept = displacement > least
-            distance, displacement = distance[kept], displacement[kept]
-        item.setData(distance, displacement)
+    @staticmethod
+    def _put(item: Series, distance: Array, displacement: Array, least: float) -> None:
+        """Show what is more than ``least`` of a series: what is nothing has no place on a logarithmic scale."""
+        kept = displacement > least
+        item.setData(distance[kept], displacement[kept])

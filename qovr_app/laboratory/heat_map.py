@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from qovr_app.laboratory.wording import motion_text
 from qovr_app.state.display import ColourMap, ThemeName
+from qovr_app.style.canvas import painting
 from qovr_app.style.colour_bar import BAR_FRAME, draw_bar, tick_line
 from qovr_app.style.colour_maps import colour_table, colours_of
 from qovr_app.style.theme import Theme, theme_of
@@ -92,16 +93,18 @@ class HeatMap(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         if self._influence is None:
             return
-        painter = QPainter(self)
+        with painting(self) as painter:
+            self._paint(painter, self._influence)
+
+    def _paint(self, painter: QPainter, influence: Influence) -> None:
         painter.setRenderHints(QPainter.RenderHint.Antialiasing | QPainter.RenderHint.SmoothPixmapTransform)
         font = QFont(self.font())
         font.setPixelSize(_FONT_PIXELS)
         painter.setFont(font)
         square = self.square()
-        self._paint_map(painter, square, self._influence)
-        self._paint_edges(painter, square, self._influence)
-        self._paint_bar(painter, square, self._influence)
-        painter.end()
+        self._paint_map(painter, square, influence)
+        self._paint_edges(painter, square, influence)
+        self._paint_bar(painter, square, influence)
 
     def _paint_map(self, painter: QPainter, square: QRectF, influence: Influence) -> None:
         # The samples are the pixels' middles, and the outermost lie on the edges.
@@ -120,22 +123,21 @@ class HeatMap(QWidget):
         painter.setPen(QPen(QColor(*self._theme.axis), 1.0))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(square.adjusted(-0.5, -0.5, 0.5, 0.5))
-        _paint_mark(painter, square, influence)
+        _paint_mark(painter, square, influence.place)
 
     def _paint_edges(self, painter: QPainter, square: QRectF, influence: Influence) -> None:
         """Say beside each edge which it is, and how far it moves."""
         side = square.width()
-        self._write_edge(painter, influence, QRectF(square.left(), 0, side, _LINE), Edge.V1)
-        self._write_edge(painter, influence, QRectF(square.left(), square.bottom() + 1, side, _LINE), Edge.V0)
+        for edge, y in ((Edge.V1, 0.0), (Edge.V0, square.bottom() + 1)):
+            self._write_edge(painter, QRectF(square.left(), y, side, _LINE), edge, influence.edges[edge])
         for edge, x in ((Edge.U0, square.left() - _LINE - 1), (Edge.U1, square.right() + 1)):
             painter.save()
             painter.translate(x, square.center().y())
             painter.rotate(-90)
-            self._write_edge(painter, influence, QRectF(-side / 2, 0, side, _LINE), edge)
+            self._write_edge(painter, QRectF(-side / 2, 0, side, _LINE), edge, influence.edges[edge])
             painter.restore()
 
-    def _write_edge(self, painter: QPainter, influence: Influence, room: QRectF, edge: Edge) -> None:
-        motion = influence.edges[edge]
+    def _write_edge(self, painter: QPainter, room: QRectF, edge: Edge, motion: float) -> None:
         parameter, end = edge.value.split("=")
         text = f"{parameter} = {end}:  {motion_text(motion)}"
         painter.setPen(QColor(*(self._theme.ink if motion else self._theme.quiet_ink)))
@@ -157,9 +159,9 @@ class HeatMap(QWidget):
             painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
 
 
-def _paint_mark(painter: QPainter, square: QRectF, influence: Influence) -> None:
+def _paint_mark(painter: QPainter, square: QRectF, place: tuple[float, float]) -> None:
     """Mark the place of the largest displacement, with nothing outside the square."""
-    u, v = influence.place
+    u, v = place
     at = QPointF(square.left() + u * square.width(), square.bottom() - v * square.height())
     painter.save()
     painter.setClipRect(square)

@@ -5,14 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPalette
-from PySide6.QtWidgets import QAbstractItemView, QFrame, QHeaderView, QTableWidget, QTableWidgetItem, QWidget
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
 from qovr_app.laboratory.wording import list_text, motion_text, value_text
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
+from qovr_app.widgets.quiet_table import QuietTable
 from qovr_core import Document
-from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, Exponential
+from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, Exponential, Falloff
 from qovr_core.laboratory.influence import Influence, Reach
 from qovr_core.number_texts import block_text, number_text, percent_text
 
@@ -29,8 +30,8 @@ class Fact:
     tip: str
 
 
-def facts(influence: Influence) -> list[Fact]:
-    """Return the lines of the table for an influence in which something moves."""
+def facts(influence: Influence, fall: Falloff) -> list[Fact]:
+    """Return the lines of the table for an influence and how it falls off."""
     (u, v), corner = influence.place, float(influence.corners.max())
     still = zip("uv", (influence.still_u, influence.still_v), strict=True)
     return [
@@ -46,7 +47,7 @@ def facts(influence: Influence) -> list[Fact]:
             Fact(f"Still at {name}", list_text(values) or "none", f"Lines of constant {name} that do not move at all")
             for name, values in still
         ),
-        *_exponential_facts(influence.falloff.exponential),
+        *_exponential_facts(fall.exponential),
     ]
 
 
@@ -81,9 +82,9 @@ def _exponential_facts(best: Exponential) -> list[Fact]:
     ]
 
 
-def copied_text(what: str, document: Document, influence: Influence) -> str:
+def copied_text(what: str, document: Document, influence: Influence, fall: Falloff) -> str:
     """Return all numbers with every digit, tab separated, and the envelope as a table below them."""
-    best = influence.falloff.exponential
+    best = fall.exponential
     lines: list[tuple[str, float]] = [
         ("largest displacement", influence.largest),
         ("at u", influence.place[0]),
@@ -98,25 +99,19 @@ def copied_text(what: str, document: Document, influence: Influence) -> str:
     lines += [("line that stays, v", c) for c in influence.still_v]
     lines += [("exponential A", best.amplitude), ("exponential L", best.length), ("misfit", best.misfit)]
     text = "".join(f"{name}\t{number_text(value)}\n" for name, value in lines)
-    envelope = block_text(influence.falloff.envelope.tolist())
+    envelope = block_text(fall.envelope.tolist())
     surface = f"{document.formulation}, {influence.layer}"
     return f"change\t{what}\nsurface\t{surface}\n{text}\ndistance\tlargest displacement\n{envelope}"
 
 
-class FactTable(QTableWidget):
-    """Two columns, names and what they come to; read only."""
+class FactTable(QuietTable):
+    """Two columns, names and what they come to."""
 
     def __init__(self, name: str, spoken: str, parent: QWidget | None = None) -> None:
-        super().__init__(0, 2, parent)
-        self.setObjectName(name)
-        self.setAccessibleName(spoken)
+        super().__init__((0, 2), name, spoken, parent)
         self.setFont(number_font(self.font()))
         self.setPalette(see_through(self.palette()))
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setShowGrid(False)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
-        self.setTabKeyNavigation(False)
         self.setWordWrap(False)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         across, down = self.horizontalHeader(), self.verticalHeader()
@@ -134,23 +129,14 @@ class FactTable(QTableWidget):
         for row, fact in enumerate(lines):
             for column, text in enumerate((fact.name, fact.text)):
                 item = self.item(row, column)
-                if item is None:
-                    item = QTableWidgetItem()
-                    self.setItem(row, column, item)
                 if item.text() != text or item.toolTip() != fact.tip:
                     item.setText(text)
                     item.setToolTip(fact.tip)
             role = QPalette.ColorRole.PlaceholderText
             self.item(row, 0).setForeground(self.palette().brush(role))
 
-    def copy(self) -> None:
-        """Copy what is selected, or all, as it is shown."""
+    def text_to_copy(self) -> str:
+        """Return the lines that are selected, or all, as they are shown."""
         rows = sorted({index.row() for index in self.selectedIndexes()}) or range(self.rowCount())
         lines = ("\t".join(self.item(row, column).text() for column in range(2)) for row in rows)
-        QGuiApplication.clipboard().setText("".join(f"{line}\n" for line in lines))
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.matches(QKeySequence.StandardKey.Copy):
-            self.copy()
-        else:
-            super().keyPressEvent(event)
+        return "".join(f"{line}\n" for line in lines)

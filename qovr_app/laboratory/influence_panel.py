@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
@@ -14,16 +15,18 @@ from qovr_app.laboratory.falloff_plot import FalloffPlot
 from qovr_app.laboratory.heat_map import HeatMap
 from qovr_app.laboratory.influence_numbers import FactTable, copied_text, facts
 from qovr_app.laboratory.panel import LaboratoryPanel
-from qovr_app.laboratory.wording import value_text
-from qovr_app.state.editor_state import EditorState, Focus
+from qovr_app.laboratory.wording import change_text, value_text
+from qovr_app.state.editor_state import EditorState
 from qovr_app.state.names import ZONE_TITLES
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import theme_of
+from qovr_app.widgets.parts import named, words
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.edits import Zone
 from qovr_core.geometry.knots import KnotPlace
+from qovr_core.laboratory.falloff import Falloff
 from qovr_core.laboratory.influence import Influence, KnotMove, influence
 from qovr_core.number_texts import percent_text
 
@@ -35,34 +38,40 @@ _WHAT_TO_DO = (
 )
 
 
+class _Moved(NamedTuple):
+    """An influence in which something moves, the document it is of, and how it falls off."""
+
+    document: Document
+    influence: Influence
+    falloff: Falloff
+
+
 class InfluencePanel(LaboratoryPanel):
     """Follows the point or knot in focus, and every edit."""
 
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, parent)
-        self._document: Document | None = None
-        self._focus: Focus = None
-        self._influence: Influence | None = None
+        self._moved: _Moved | None = None
+        self._due = QTimer(self, singleShot=True, interval=0)
+        self._due.timeout.connect(lambda: self._show(self.store.shown))
         self._bar = ChangeBar(_NAME, self)
-        self._bar.change_edited.connect(self._request)
+        self._bar.change_edited.connect(self._due.start)
         self._bar.copy_requested.connect(self._copy)
         self._bar.refused.connect(self.refuse)
-        self._words = QLabel(self, objectName=f"{_NAME}.words", wordWrap=True)
+        self._words = words(f"{_NAME}.words", self)
         self._words.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self._words.setMargin(4 * SPACE)
         self._map = HeatMap(f"{_NAME}.map", self)
         self._plot = FalloffPlot(f"{_NAME}.plot", self)
         self._table = FactTable(f"{_NAME}.numbers", "Influence in numbers", self)
         self._map_caption, self._plot_caption = (
-            QLabel(self, objectName=f"{_NAME}.{name}") for name in ("map_caption", "plot_caption")
+            named(QLabel(self), f"{_NAME}.{name}") for name in ("map_caption", "plot_caption")
         )
-        self._log = QCheckBox("log", self, objectName=f"{_NAME}.log", accessibleName="Logarithmic scale")
+        self._log = named(QCheckBox("log", self), f"{_NAME}.log", "Logarithmic scale")
         self._log.setToolTip("Show the displacement on a logarithmic scale, on which an exponential is a straight line")
         self._log.toggled.connect(self._plot.show_logarithmic)
         self._map.hovered.connect(self._on_map_hovered)
         self._plot.hovered.connect(self._on_plot_hovered)
-        self._due = QTimer(self, singleShot=True, interval=0)
-        self._due.timeout.connect(self._show)
         self._arrange()
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
@@ -70,59 +79,58 @@ class InfluencePanel(LaboratoryPanel):
             theme = theme_of(after.display.theme)
             self._map.show_theme(theme)
             self._plot.show_theme(theme)
-        self._document = after.shown_document
-        self._focus = after.focus
         if before is None or before.focus != after.focus or after.differs(before, "shown_document"):
-            self._show()
+            self._show(after)
 
-    def _request(self) -> None:
-        self._due.start()
-
-    def _show(self) -> None:
-        if self._document is None:
+    def _show(self, state: EditorState) -> None:
+        document = state.shown_document
+        if document is None:
             return
-        self._bar.show_focus(self._document, self._focus)
-        self._influence, words = None, _WHAT_TO_DO
-        if self._focus is not None:
+        self._bar.show_focus(document, state.focus)
+        self._moved, text = None, _WHAT_TO_DO
+        if (change := self._bar.change) is not None:
             try:
-                found = influence(self._document, self._bar.change, self._bar.layer)
+                found = influence(document, change, self._bar.layer)
             except QovrError as error:
-                words = f"{error}. Another amount may do, or the default."
+                text = f"{error}. Another amount may do, or the default."
             else:
-                self._influence = found if found.largest else None
-                words = _why_nothing_moves(self._document, found)
-        self._bar.set_copyable(self._influence is not None)
-        self._stack.setCurrentWidget(self._words if self._influence is None else self._content)
-        self._words.setText(words)
-        if self._influence is not None:
-            self._map.show_influence(self._influence)
-            self._plot.show_influence(self._influence)
-            self._table.show_facts(facts(self._influence))
+                self._moved = None if found.falloff is None else _Moved(document, found, found.falloff)
+                text = _why_nothing_moves(document, found)
+        self._bar.set_copyable(self._moved is not None)
+        self._stack.setCurrentWidget(self._words if self._moved is None else self._content)
+        self._words.setText(text)
+        if self._moved is not None:
+            _, found, fall = self._moved
+            self._map.show_influence(found)
+            self._plot.show_influence(found, fall)
+            self._table.show_facts(facts(found, fall))
             self._on_map_hovered(None)
             self._on_plot_hovered(None)
 
     def _copy(self) -> None:
-        QGuiApplication.clipboard().setText(copied_text(self._bar.what, self._document, self._influence))
-        self.tell(f"Copied the influence of {self._bar.what}")
+        if self._moved is not None:
+            what = change_text(self._moved.influence.change)
+            QGuiApplication.clipboard().setText(copied_text(what, *self._moved))
+            self.tell(f"Copied the influence of {what}")
 
     def _on_map_hovered(self, place: tuple[float, float] | None) -> None:
-        if place is None or self._influence is None:
+        if place is None or self._moved is None:
             self._map_caption.setText("|Δ<i>S</i>|, lines at 10 % and 1 %")
             return
-        u, v = place
-        length = math.hypot(*self._influence.displacement.points([u], [v])[0, 0])
-        part = percent_text(length / self._influence.largest)
+        (u, v), found = place, self._moved.influence
+        length = math.hypot(*found.displacement.points([u], [v])[0, 0])
+        part = percent_text(length / found.largest)
         self._map_caption.setText(f"<i>u</i> {u:.2f} <i>v</i> {v:.2f}: {value_text(length)} = {part}")
 
     def _on_plot_hovered(self, place: tuple[float, float] | None) -> None:
-        if place is None or self._influence is None or not 0 <= place[0] <= self._influence.falloff.envelope[-1, 0]:
+        if place is None or self._moved is None or not 0 <= place[0] <= self._moved.falloff.envelope[-1, 0]:
             self._plot.show_reading(None)
             self._plot_caption.setText("&nbsp; ".join(self._plot.legend))
             return
-        envelope = self._influence.falloff.envelope
+        envelope = self._moved.falloff.envelope
         distance, most = envelope[np.abs(envelope[:, 0] - place[0]).argmin()].tolist()
         self._plot.show_reading(distance)
-        part = percent_text(most / self._influence.largest)
+        part = percent_text(most / self._moved.influence.largest)
         self._plot_caption.setText(f"<i>d</i> {distance:.2f}: up to {value_text(most)} = {part}")
 
     def _arrange(self) -> None:

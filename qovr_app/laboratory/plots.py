@@ -2,19 +2,35 @@
 
 from __future__ import annotations
 
+from typing import TypeVar
+
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
 from PySide6.QtGui import QPen, QResizeEvent
-from PySide6.QtWidgets import QFrame, QLabel, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGraphicsObject, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from qovr_app.laboratory import pg
 from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import Theme
+from qovr_app.widgets.parts import named
+from qovr_core.arrays import Array
+
+Line = pg.PlotCurveItem
+Series = pg.PlotDataItem
+Dots = pg.ScatterPlotItem
+Text = pg.TextItem
+Rule = pg.InfiniteLine
+Area = pg.FillBetweenItem
+Band = pg.LinearRegionItem
+Handle = pg.TargetItem
+
+Item = TypeVar("Item", bound=QGraphicsObject)
 
 _LABEL_MARGIN = 1
 _GRID = 0.16
 _PADDING = 0.04
+_BEHIND, _IN_FRONT = -10, 10
 
 
 class Plot(pg.PlotWidget):
@@ -74,29 +90,50 @@ class Plot(pg.PlotWidget):
             self.show_theme(self.colours)
         return super().event(event)
 
-    def make_line(self, *, bounds: bool = True) -> pg.PlotCurveItem:
+    def make_line(self, *, bounds: bool = True) -> Line:
         """Return a new line in the plot; without ``bounds`` the plot's range does not follow it."""
-        line = pg.PlotCurveItem()
-        self.addItem(line, ignoreBounds=not bounds)
-        return line
+        return self._added(Line(), bounds=bounds)
 
-    def make_dots(self, size: float) -> pg.ScatterPlotItem:
+    def make_dots(self, size: float) -> Dots:
         """Return new discs in the plot, so many pixels wide."""
-        dots = pg.ScatterPlotItem(size=size)
-        self.addItem(dots, ignoreBounds=True)
-        return dots
+        return self._added(Dots(size=size))
 
-    def make_text(self) -> pg.TextItem:
+    def make_text(self) -> Text:
         """Return a new label in the plot, centred on its place."""
-        text = pg.TextItem(anchor=(0.5, 0.5))
+        text = Text(anchor=(0.5, 0.5))
         text.textItem.document().setDocumentMargin(_LABEL_MARGIN)
         text.setFont(self.small_font)
-        self.addItem(text, ignoreBounds=True)
-        return text
+        return self._added(text)
+
+    def make_upright(self) -> Rule:
+        """Return a new line from bottom to top."""
+        return self._added(Rule(angle=90))
+
+    def make_level(self, value: float) -> Rule:
+        """Return a new line from left to right, behind everything."""
+        return self._added(Rule(pos=value, angle=0), layer=_BEHIND)
+
+    def make_area(self, x: Array, low: Array, high: Array) -> Area:
+        """Return what lies between two lines over the same x, behind everything."""
+        return self._added(Area(Line(x, low), Line(x, high)), layer=_BEHIND)
+
+    def make_band(self) -> Band:
+        """Return a new band from bottom to top, behind everything."""
+        return self._added(Band(movable=False), layer=_BEHIND)
+
+    def make_handle(self, size: float) -> Handle:
+        """Return a new disc that the mouse can drag, before everything."""
+        return self._added(Handle(size=size, symbol="o"), layer=_IN_FRONT)
 
     def settle(self) -> None:
         """Bring range and axes to what is drawn now; left to the next painting, they would ask for another one."""
         self.scene().prepareForPaint()
+
+    def _added(self, item: Item, *, bounds: bool = False, layer: float | None = None) -> Item:
+        if layer is not None:
+            item.setZValue(layer)
+        self.addItem(item, ignoreBounds=not bounds)
+        return item
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)
@@ -116,8 +153,7 @@ class Captioned(QWidget):
     def __init__(self, plot: Plot, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._texts: tuple[str, ...] = ("",)
-        self._label = QLabel(self)
-        self._label.setObjectName(f"{plot.objectName()}.caption")
+        self._label = named(QLabel(self), f"{plot.objectName()}.caption")
         self._label.setTextFormat(Qt.TextFormat.RichText)
         self._label.setFont(plot.small_font)
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)

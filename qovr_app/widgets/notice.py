@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtGui import QColor, QPainter, QPaintEvent
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QWidget
 
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
-from qovr_app.widgets.parts import CompactButton
+from qovr_app.widgets.parts import CompactButton, words
 
 
 class Notice(QFrame):
@@ -18,9 +18,7 @@ class Notice(QFrame):
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName(name)
-        self._text = QLabel(self)
-        self._text.setObjectName(f"{name}.text")
-        self._text.setWordWrap(True)
+        self._text = words(f"{name}.text", self)
         self._buttons: list[CompactButton] = []
         self._layout = QHBoxLayout(self)
         self._layout.setContentsMargins(3 * SPACE, SPACE, 2 * SPACE, SPACE)

@@ -58,6 +58,11 @@ class NumberCell(QLineEdit):
 
     # Marks
 
+    @property
+    def is_marked(self) -> bool:
+        """Whether the number belongs to what is selected elsewhere."""
+        return self._is_marked
+
     def set_tip(self, text: str) -> None:
         """Say what the number means."""
         self._tip = text

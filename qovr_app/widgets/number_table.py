@@ -3,23 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QEvent, QModelIndex, QPersistentModelIndex, QSize, Qt
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence, QPalette
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QAbstractItemView,
-    QFrame,
-    QHeaderView,
-    QLabel,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
+from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt
+from PySide6.QtGui import QPalette
+from PySide6.QtWidgets import QAbstractButton, QHeaderView, QLabel, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
+from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.arrays import Array
 from qovr_core.number_texts import block_text, number_text
 
@@ -52,7 +42,7 @@ class _FittingDelegate(QStyledItemDelegate):
                 return
 
 
-class NumberTable(QTableWidget):
+class NumberTable(QuietTable):
     """Rows and columns of numbers, read only; what is copied has every digit.
 
     Parameters
@@ -71,24 +61,16 @@ class NumberTable(QTableWidget):
         columns: list[str],
         parent: QWidget | None = None,
     ) -> None:
-        super().__init__(len(rows), len(columns), parent)
-        self.setObjectName(name)
-        self.setAccessibleName(spoken)
+        super().__init__((len(rows), len(columns)), name, spoken, parent)
         self._numbers = np.full((len(rows), len(columns)), np.nan)
-        self._items = [[QTableWidgetItem() for _ in columns] for _ in rows]
         self.setFont(number_font(self.font()))
         self.setPalette(see_through(self.palette()))
         self._delegate = _FittingDelegate(self)
         self.setItemDelegate(self._delegate)
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setShowGrid(False)
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setTabKeyNavigation(False)
         self.setCornerButtonEnabled(False)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._set_headers(rows, columns)
-        self._make_headers_plain()
         self._fill()
         self._corner = QLabel(corner, self)
         self._corner.setTextFormat(Qt.TextFormat.RichText)
@@ -99,7 +81,7 @@ class NumberTable(QTableWidget):
         """Show an array of the table's shape."""
         for (r, c), value in np.ndenumerate(numbers):
             if value != self._numbers[r, c]:
-                item = self._items[r][c]
+                item = self.item(r, c)
                 item.setData(Qt.ItemDataRole.UserRole, float(value))
                 item.setText(f"{value:.{_MOST_DIGITS}g}")
                 item.setToolTip(number_text(value))
@@ -110,31 +92,19 @@ class NumberTable(QTableWidget):
         self._delegate.is_quiet = is_quiet
         self.viewport().update()
 
-    def copy(self) -> None:
-        """Copy what is selected, or all, as a spreadsheet takes it."""
+    def text_to_copy(self) -> str:
+        """Return what is selected, or all, as a spreadsheet takes it."""
         chosen = {(index.row(), index.column()) for index in self.selectedIndexes()}
         rows = sorted({r for r, _ in chosen}) or range(self.rowCount())
         columns = sorted({c for _, c in chosen}) or range(self.columnCount())
-        QGuiApplication.clipboard().setText(block_text([[self._numbers[r, c] for c in columns] for r in rows]))
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.matches(QKeySequence.StandardKey.Copy):
-            self.copy()
-        else:
-            super().keyPressEvent(event)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.PaletteChange:
-            self._make_headers_plain()
+        return block_text([[self._numbers[r, c] for c in columns] for r in rows])
 
     def minimumSizeHint(self) -> QSize:
         return QSize(160, self._content_height())
 
-    def _make_headers_plain(self) -> None:
-        """Style the headers in the theme in force; a style sheet of the table's own would keep its numbers from it."""
-        corners = self.findChildren(QAbstractButton)
-        for part in (self.horizontalHeader(), self.verticalHeader(), *corners):
+    def style_headers(self) -> None:
+        """Style the headers alone: a style sheet of the table's own would keep its numbers from the theme."""
+        for part in (self.horizontalHeader(), self.verticalHeader(), *self.findChildren(QAbstractButton)):
             part.setStyleSheet(_PLAIN_HEADERS)
 
     def _content_height(self) -> int:
@@ -144,11 +114,11 @@ class NumberTable(QTableWidget):
         return self.fontMetrics().height() + _ROW_BEYOND_TEXT
 
     def _fill(self) -> None:
-        for r, row in enumerate(self._items):
-            for c, item in enumerate(row):
-                item.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        for r in range(self.rowCount()):
+            for c in range(self.columnCount()):
+                item = self.item(r, c)
+                item.setTextAlignment(RIGHT)
                 item.setData(Qt.ItemDataRole.UserRole, float("nan"))
-                self.setItem(r, c, item)
 
     def _set_headers(self, rows: list[str], columns: list[str]) -> None:
         across, down = self.horizontalHeader(), self.verticalHeader()
@@ -158,7 +128,7 @@ class NumberTable(QTableWidget):
             header.setHighlightSections(False)
             header.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
-        across.setDefaultAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        across.setDefaultAlignment(RIGHT)
         across.setFixedHeight(self._row_height())
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(self._row_height())

@@ -1,6 +1,8 @@
-"""Small widgets that the zones share."""
+"""Small widgets that zones, panels and dialogs share."""
 
 from __future__ import annotations
+
+from typing import TypeVar
 
 from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QColor, QPalette
@@ -8,6 +10,8 @@ from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
+
+W = TypeVar("W", bound=QWidget)
 
 _PALE = 140
 """An accent lighter than this takes dark text, and stays as it is."""
@@ -68,6 +72,21 @@ class Note(QLabel):
         if html != self.text():
             self.setText(html)
             self.setVisible(bool(html))
+
+
+def named(widget: W, name: str, spoken: str = "") -> W:
+    """Return the widget under the name by which programs find it, and the one that is spoken, if any."""
+    widget.setObjectName(name)
+    if spoken:
+        widget.setAccessibleName(spoken)
+    return widget
+
+
+def words(name: str, parent: QWidget | None = None) -> QLabel:
+    """Return a label that breaks lines, under a name."""
+    result = named(QLabel(parent), name)
+    result.setWordWrap(True)
+    return result
 
 
 def symbol(html: str, *, quiet: bool = False, parent: QWidget | None = None) -> QLabel:

@@ -87,7 +87,8 @@ class Child:
             write_message(self._replies, message)
 
     def _outcome(self, run: Run) -> Done | Failed | Cancelled | Unknown:
-        os.chdir(run.folder)
+        with suppress(OSError):  # somebody may have deleted it
+            os.chdir(run.folder)
         with ExitStack() as registered:
             try:
                 function, values = unpacked(run.call, registered)

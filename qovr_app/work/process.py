@@ -47,7 +47,7 @@ class ChildProcess:
             [sys.executable, "-P", "-m", "qovr_app.work.child"],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            env=os.environ | _ONE_THREAD | {"PYTHONPATH": os.pathsep.join(map(os.path.abspath, sys.path))},
+            env=os.environ | _ONE_THREAD | {"PYTHONPATH": os.pathsep.join(sys.path)},
             creationflags=_creation_flags(),
         )
         self._threads = [threading.Thread(target=work, daemon=True) for work in (self._write, self._read)]
@@ -67,7 +67,7 @@ class ChildProcess:
         target : the file that it writes, if any
         """
         self._target = target
-        self._outbox.put(Run(number, call, str(Path.cwd())))
+        self._outbox.put(Run(number, call, _folder()))
 
     def cancel(self, number: int) -> None:
         """Ask a job to end."""
@@ -119,3 +119,11 @@ def _creation_flags() -> int:
     if sys.platform == "win32":
         return subprocess.BELOW_NORMAL_PRIORITY_CLASS | subprocess.CREATE_NO_WINDOW
     return 0
+
+
+def _folder() -> str:
+    """Return the folder in which relative paths begin; any will do where somebody has deleted it."""
+    try:
+        return str(Path.cwd())
+    except FileNotFoundError:
+        return os.curdir

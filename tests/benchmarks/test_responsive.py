@@ -77,11 +77,12 @@ def orbit(app, tmp_path, monkeypatch):
 
 
 def show(orbit, name):
-    """Open a panel and return whether it is current, as a function."""
+    """Open a panel, loading what it needs, and return whether it is current, as a function."""
     from PySide6.QtGui import QAction
     from PySide6.QtWidgets import QWidget
 
     orbit.window.findChild(QAction, f"laboratory_{name}").trigger()
+    orbit.frames_until(lambda: orbit.window.findChild(QWidget, f"laboratory.{name}"), at_least=3)
     panel = orbit.window.findChild(QWidget, f"laboratory.{name}")
     return lambda: panel.is_current
 

@@ -90,7 +90,7 @@ def test_a_workbook_is_a_source_and_reproduces_itself(tmp_path):
         assert set(result["differences"]) == set(FORMULATIONS)
         assert set(result["differences"]["published"]) == {"raw", "box", "matrix", "transformed"}
         info = json.loads(qovr("info", "a.xlsx", "--json", cwd=tmp_path).out)
-        assert info["formulation"] == formulation
+        assert info["formulation"] == formulation.name
 
 
 def test_reproduce_meets_every_published_workbook():

@@ -19,7 +19,10 @@ from qovr_app.state.intents import FormulationChosen
 from qovr_app.style.palette import set_theme
 from qovr_core import FileError, Formulation, curve_network
 from qovr_core.edits import Direction, KnotPlace, set_values
+from qovr_core.geometry.bernstein import basis
+from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory.one_curve import SAMPLES, curve_of
+from qovr_core.laboratory.planes import View, plane_of
 from support.editor import wait_until
 
 _BETWEEN_MOVES = 20
@@ -69,11 +72,11 @@ def assert_shows(panel, document, direction, number):
     assert (panel.curve.direction, panel.curve.number, panel.curve.knots) == (direction, number, curve.knots)
     geometry = plot_of(panel, "geometry")
     lines = [np.stack(line.getData(), axis=1) for line in geometry.listDataItems() if line.getData()[0] is not None]
-    wanted = geometry.plane.drawn(curve.at(SAMPLES))
+    wanted = plane_of(curve.points, View.BEST).drawn(curve.at(SAMPLES))
     assert any(line.shape == wanted.shape and line == pytest.approx(wanted) for line in lines)
     for name, values in (("blends", curve.blends), ("weights", curve.weights), ("transformations", curve.transformed)):
-        shown = [line.getData()[1] for line in plot_of(panel, name)._lines]
-        assert pytest.approx(values(SAMPLES)) == np.array(shown).T
+        shown = plot_of(panel, name).values
+        assert pytest.approx(values(SAMPLES)) == shown
 
 
 def test_it_shows_the_curve_of_the_knot_in_focus(panel):
@@ -100,8 +103,9 @@ def test_it_follows_every_edit_of_a_drag_once_a_turn(panel):
     editor.field("row_knots.C_4.s").setFocus()
     editor.settle()
     shown = []
-    draw = panel._geometry.show_curve
-    panel._geometry.show_curve = lambda *what: shown.append(None) or draw(*what)
+    geometry = plot_of(panel, "geometry")
+    draw = geometry.show_curve
+    geometry.show_curve = lambda *what: shown.append(None) or draw(*what)
     editor.drag_slider("row_knots.slider", [4, 4, 4, 4, 4, 4])
     assert 3 <= len(shown) <= 6
     assert_shows(panel, editor.document, Direction.ROWS, 4)
@@ -113,7 +117,8 @@ def test_the_curve_is_the_one_the_formulation_computes(panel):
     editor.type_into("row_knots.C_4.r", "0.3")
     assert panel.curve.decimals == 4
     network = curve_network(editor.document)
-    assert panel.curve._coefficients == pytest.approx(network.rows[4], abs=1e-14)
+    drawn = basis(CURVE_DEGREE, SAMPLES) @ network.rows[4]
+    assert panel.curve.at(SAMPLES) == pytest.approx(drawn, abs=1e-14)
     exact = curve_of(set_values(editor.document, {KnotPlace(Direction.ROWS, 4, "r"): 0.3}), Direction.ROWS, 4).at(
         SAMPLES
     )
@@ -162,11 +167,11 @@ def test_a_handle_respects_the_links_and_staged_edits(panel):
 def test_the_fold_back_is_marked(panel):
     editor = panel.editor
     plot = plot_of(panel, "transformations")
-    assert not plot._fold.isVisible()
+    assert not plot.fold.isVisible()
     editor.type_into("row_knots.C_4.s", "0.98")
     fold = panel.curve.fold_back
-    assert plot._fold.isVisible()
-    assert plot._fold.getRegion() == pytest.approx(fold.backward)
+    assert plot.fold.isVisible()
+    assert plot.fold.getRegion() == pytest.approx(fold.backward)
     assert f"s falls from {fold.backward[0]:.3g} to 1" in " ".join(caption(panel, "transformations").split())
     low, high = plot.view_box.viewRange()[1]
     assert low < 0 < fold.turn < high
@@ -192,7 +197,7 @@ def test_hovering_says_the_values(panel):
     assert numbers["blends"] == pytest.approx(panel.curve.blends([u])[0], abs=6e-3)
     assert numbers["weights"] == pytest.approx(panel.curve.weights([u])[0], abs=2e-2)
     geometry = plot_of(panel, "geometry")
-    place = geometry.plane.drawn(panel.curve.at([0.6]))[0]
+    place = plane_of(panel.curve.points, View.BEST).drawn(panel.curve.at([0.6]))[0]
     geometry.hovered.emit(tuple(place))
     assert "u  = 0.600" in caption(panel, "geometry")
     geometry.hovered.emit(None)

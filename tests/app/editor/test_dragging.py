@@ -50,7 +50,7 @@ def test_a_drag_is_one_step_and_the_fields_follow(editor, drag):
     assert len(editor.window.store.state.history.steps) == 1
     assert editor.action("undo").text() == "&Undo Move P 4,2"
     assert editor.disagreements() == []
-    assert editor.field("control_points.P_4_2.z")._is_marked
+    assert editor.field("control_points.P_4_2.z").is_marked
     editor.trigger("undo")
     assert editor.document == FIG5
 

@@ -111,8 +111,8 @@ def test_a_point_selected_in_the_view_is_framed_and_its_field_selects_it(editor)
     assert editor.window.view.picture().last_selected == (3, 1)
     editor.window.view.point_selected.emit((2, 2))
     QTest.qWait(10)
-    assert editor.field("control_points.P_2_2.x")._is_marked
-    assert not editor.field("control_points.P_3_1.x")._is_marked
+    assert editor.field("control_points.P_2_2.x").is_marked
+    assert not editor.field("control_points.P_3_1.x").is_marked
     assert "P 2,2" in editor.message()
 
 

@@ -3,6 +3,7 @@
 import logging
 import os
 import signal
+import sys
 import time
 from pathlib import Path
 
@@ -166,3 +167,12 @@ def test_what_the_process_notices_of_files_is_told_here(answer, spin):
     notices.close()
     answer(jobs.notice, "something else")
     assert told == ["a.csv: belongs to you now."]
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="there nobody can delete the folder in which a process is")
+def test_a_deleted_folder_keeps_no_job_from_being_done(answer, tmp_path, monkeypatch):
+    answer(jobs.add, 1, 2)
+    (tmp_path / "gone").mkdir()
+    monkeypatch.chdir(tmp_path / "gone")
+    (tmp_path / "gone").rmdir()
+    assert answer(jobs.add, 1, 2).result == 3

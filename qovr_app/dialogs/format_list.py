@@ -1,0 +1,45 @@
+"""The formats to choose from, by name and suffix."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt
+from PySide6.QtWidgets import QTreeWidget, QTreeWidgetItem, QWidget
+
+from qovr_core.files import FORMATS, Format
+
+_ROW_BEYOND_TEXT = 10
+_COLUMN_GAP = 16
+_SUFFIX_WIDTH = 64
+
+
+class FormatList(QTreeWidget):
+    """One line for every format; one of them is chosen."""
+
+    def __init__(self, name: str, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setObjectName(name)
+        self.setAccessibleName("Format")
+        self.setHeaderHidden(True)
+        self.setColumnCount(2)
+        self.setRootIsDecorated(False)
+        self.setAllColumnsShowFocus(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self._suffixes = tuple(FORMATS)
+        row_height = self.fontMetrics().height() + _ROW_BEYOND_TEXT
+        for entry in FORMATS.values():
+            item = QTreeWidgetItem([entry.name, entry.suffix])
+            item.setSizeHint(1, QSize(0, row_height))
+            self.addTopLevelItem(item)
+        self.resizeColumnToContents(0)
+        self.setColumnWidth(0, self.columnWidth(0) + _COLUMN_GAP)
+        self.setFixedWidth(self.columnWidth(0) + _SUFFIX_WIDTH)
+        self.setMinimumHeight(len(FORMATS) * row_height + 2 * self.frameWidth())
+
+    @property
+    def entry(self) -> Format:
+        """The chosen format."""
+        return FORMATS[self._suffixes[self.currentIndex().row()]]
+
+    def choose(self, suffix: str) -> None:
+        """Choose the format of a suffix."""
+        self.setCurrentIndex(self.model().index(self._suffixes.index(suffix), 0))

@@ -1,0 +1,101 @@
+"""The controls of the panel of one curve: which curve, in which plane, and what Save Figure writes."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QWidget
+
+from qovr_app.laboratory.curve_drawings import Drawing
+from qovr_app.state.editor_state import Focus
+from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.parts import CompactButton, named
+from qovr_core.document import NET_SIZE
+from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.laboratory.planes import View
+
+_NAME = "laboratory.curve"
+_CURVES = [(direction, k) for direction in Direction for k in range(NET_SIZE)]
+_FIRST_CURVE = NET_SIZE - 1
+"""The one row that the published surface uses."""
+
+_SUBSCRIPTS = "₀₁₂₃₄"
+_VIEWS = {View.BEST: "Best plane", View.XY: "x, y", View.XZ: "x, z", View.YZ: "y, z"}
+
+
+class CurveBar(QWidget):
+    """Choices of one of the ten curves and of how it is drawn.
+
+    Signals
+    -------
+    choice_changed : another curve or another plane
+    scales_linked : whether both directions of the plane are drawn at one scale
+    figure_requested : the button
+    """
+
+    choice_changed = Signal()
+    scales_linked = Signal(bool)
+    figure_requested = Signal()
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._curve = named(QComboBox(self), f"{_NAME}.choice", "Curve")
+        self._curve.setToolTip("Which of the ten curves; it follows the knot whose field has the keyboard")
+        self._curve.addItems([f"{side.letter}{_SUBSCRIPTS[k]}({side.parameter})" for side, k in _CURVES])
+        self._curve.setCurrentIndex(_FIRST_CURVE)
+        self._view = named(QComboBox(self), f"{_NAME}.plane", "Plane")
+        self._view.setToolTip("The plane in which the curve is drawn; the best one runs through its points")
+        self._view.addItems(list(_VIEWS.values()))
+        self._equal = named(QCheckBox("Equal scales", self), f"{_NAME}.equal_scales")
+        self._equal.setToolTip("Draw both directions of the plane at one scale")
+        self._drawing = named(QComboBox(self), f"{_NAME}.drawing", "Figure to save")
+        self._drawing.setToolTip(
+            "What Save Figure writes: the curve as it is shown here, or as in the paper's Figures 1 and 2"
+        )
+        self._drawing.addItems(list(Drawing))
+        self._save = CompactButton("Save Figure…", f"{_NAME}.figure", "Write it as PNG, SVG or PDF", self)
+        self._arrange()
+        for box in (self._curve, self._view):
+            box.currentIndexChanged.connect(lambda _index: self.choice_changed.emit())
+        self._equal.toggled.connect(self.scales_linked)
+        self._save.clicked.connect(lambda _checked: self.figure_requested.emit())
+
+    @property
+    def curve(self) -> tuple[Direction, int]:
+        """The chosen curve."""
+        return _CURVES[self._curve.currentIndex()]
+
+    @property
+    def view(self) -> View:
+        """The chosen plane."""
+        return list(_VIEWS)[self._view.currentIndex()]
+
+    @property
+    def has_equal_scales(self) -> bool:
+        """Whether both directions of the plane are drawn at one scale."""
+        return self._equal.isChecked()
+
+    @property
+    def drawing(self) -> Drawing:
+        """What Save Figure writes."""
+        return Drawing(self._drawing.currentText())
+
+    def follow(self, focus: Focus) -> None:
+        """Choose the curve of the knot in focus, or the curve of the same direction through the point in focus."""
+        if focus is None:
+            return
+        if isinstance(focus, KnotPlace):
+            direction, k = focus.direction, focus.curve
+        else:
+            direction, _ = self.curve
+            k = focus[0] if direction is Direction.ROWS else focus[1]
+        self._curve.setCurrentIndex(_CURVES.index((direction, k)))
+
+    def _arrange(self) -> None:
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
+        layout.setSpacing(2 * SPACE)
+        for widget in (self._curve, self._view, self._equal):
+            layout.addWidget(widget)
+        layout.addStretch(1)
+        layout.addWidget(self._drawing)
+        layout.addWidget(self._save)

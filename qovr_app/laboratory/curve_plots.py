@@ -1,0 +1,153 @@
+"""The four plots of one curve, what stands over them, and the reading under the mouse that they share."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QGridLayout, QWidget
+
+from qovr_app.laboratory.curve_functions import FunctionPlot, WeightsPlot
+from qovr_app.laboratory.curve_geometry import GeometryPlot
+from qovr_app.laboratory.curve_transformations import TransformationsPlot
+from qovr_app.laboratory.plots import Captioned
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.symbols import coloured, symbol_html
+from qovr_app.style.theme import Theme
+from qovr_core.formulations import Formulation
+from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
+from qovr_core.laboratory.planes import View
+from qovr_core.number_texts import number_text
+
+_TIPS = (
+    """Thin: the parabolas Q_0, Q_1, Q_2 between their points
+Broad: what of them is blended
+Dashed: what is blended beyond their points
+Rings: where the parameter is 0, its internal knot, and 1""",
+    "How much each parabola counts: (1-u)^2, 2u(1-u) and u^2",
+    "How much each point counts; the five weights sum to 1",
+    """Drag the rings: r_ip on the left edge, s_ip and u_ip in the middle, t_ip on the right edge
+While the middle ring lies in the shaded lens, s does not fold back""",
+)
+"""What each plot shows, in the order of the plots."""
+
+_CELLS = ((0, 0, 2, 1), (0, 1, 1, 1), (1, 1, 1, 1), (0, 2, 2, 1))
+_COLUMN_STRETCHES = (5, 4, 4)
+
+
+class CurvePlots(QWidget):
+    """Shows a curve and its parts; a place under the mouse in one plot is marked in all of them.
+
+    Signals
+    -------
+    knots_moved : a dict of knot names and wanted values, and the drag's gesture
+    """
+
+    knots_moved = Signal(object, int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self._shown: tuple[OneCurve, Formulation] | None = None
+        self._geometry = GeometryPlot(self)
+        parabolas = [symbol_html("w", str(p)) for p in range(3)]
+        points = [symbol_html("b", str(k)) for k in range(5)]
+        self._blends = WeightsPlot(
+            "laboratory.curve.blends", "The weights of the three parabolas", parabolas, [1, 2, 3], self
+        )
+        self._weights = WeightsPlot(
+            "laboratory.curve.weights", "The weights of the five points", points, [0, 1, 2, 3, 4], self
+        )
+        self._transformations = TransformationsPlot(self)
+        self._functions: tuple[FunctionPlot, ...] = self._blends, self._weights, self._transformations
+        self._plots = self._geometry, *self._functions
+        self._captions = [Captioned(plot, self) for plot in self._plots]
+        self._arrange()
+        self._geometry.hovered.connect(lambda place: self._show_hover(place and self._geometry.nearest(place)))
+        for plot in self._functions:
+            plot.hovered.connect(lambda place: self._show_hover(place and min(max(place[0], 0.0), 1.0)))
+        self._transformations.knots_moved.connect(self.knots_moved)
+
+    @property
+    def curve(self) -> OneCurve | None:
+        """The curve that is shown."""
+        return None if self._shown is None else self._shown[0]
+
+    def show_theme(self, theme: Theme) -> None:
+        """Draw in other colours."""
+        for plot in self._plots:
+            plot.show_theme(theme)
+        self._show_captions(None)
+
+    def set_equal_scales(self, are_equal: bool) -> None:
+        """Draw both directions of the curve's plane at one scale, or each as large as there is room."""
+        self._geometry.setAspectLocked(are_equal)
+
+    def show_curve(self, curve: OneCurve, formulation: Formulation, view: View) -> None:
+        """Show a curve in a plane, as a formulation uses it."""
+        self._shown = curve, formulation
+        self._geometry.show_curve(curve, view)
+        self._blends.show_weights(curve.blends(SAMPLES), curve.knots.u)
+        self._weights.show_weights(curve.weights(SAMPLES), curve.knots.u)
+        self._transformations.show_curve(curve)
+        self._show_hover(None)
+
+    def _show_hover(self, u: float | None) -> None:
+        if self._shown is not None:
+            for plot in self._plots:
+                plot.show_hover(u)
+            self._show_captions(u)
+
+    def _show_captions(self, u: float | None) -> None:
+        if self._shown is None:
+            return
+        curve, formulation = self._shown
+        captions = _titles(curve, formulation) if u is None else _place_texts(curve, u)
+        over_geometry, *over_functions = self._captions
+        over_geometry.say(*captions)
+        if u is None:
+            notes = "of the parabolas", "of the points", _how_s_runs(curve)
+            for plot, caption, note in zip(self._functions, over_functions, notes, strict=True):
+                legend = _in_a_row(plot.legend())
+                caption.say(f"{legend}&nbsp;&nbsp; {note}", legend)
+            return
+        values = curve.blends([u])[0], curve.weights([u])[0], curve.transformed([u])[0]
+        for plot, caption, of_plot in zip(self._functions, over_functions, values, strict=True):
+            full, short = plot.legend(of_plot), plot.legend(of_plot, decimals=2)
+            caption.say(*map(_in_a_row, (full, short, plot.legend(of_plot, decimals=2, named=False))))
+
+    def _arrange(self) -> None:
+        grid = QGridLayout(self)
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setSpacing(1)
+        for plot, tip, captioned, cell in zip(self._plots, _TIPS, self._captions, _CELLS, strict=True):
+            plot.setToolTip(tip)
+            grid.addWidget(captioned, *cell)
+        for column, stretch in enumerate(_COLUMN_STRETCHES):
+            grid.setColumnStretch(column, stretch)
+        for row in range(2):
+            grid.setRowStretch(row, 1)
+
+
+def _in_a_row(texts: list[str]) -> str:
+    return "&nbsp; ".join(texts)
+
+
+def _titles(curve: OneCurve, formulation: Formulation) -> tuple[str, str]:
+    """Return what stands over the curve, at length and shorter."""
+    name = f"<b>{symbol_html(curve.direction.letter, str(curve.number))}</b>(<i>{curve.parameter}</i>)"
+    if not formulation.is_active(curve.direction, curve.number):
+        return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"
+    short = f"{name}, degree {curve.knots.degree}"
+    return f"{short}&nbsp;&nbsp; broad: blended&nbsp;&nbsp; dashed: beyond its points", short
+
+
+def _place_texts(curve: OneCurve, u: float) -> tuple[str]:
+    """Return where a parameter lies on the curve."""
+    x, y, z = (number_text(round(value, 4)) for value in curve.at([u])[0].tolist())
+    return (f"<i>{curve.parameter}</i> = {u:.3f}&nbsp;&nbsp; {x}, {y}, {z}",)
+
+
+def _how_s_runs(curve: OneCurve) -> str:
+    fold = curve.fold_back
+    if fold is None:
+        return f"over <i>{curve.parameter}</i>"
+    low, high = fold.backward
+    return coloured(f"<i>s</i> falls from {low:.3g} to {high:.3g}", theme_in_force().warn)
