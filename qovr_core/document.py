@@ -19,6 +19,9 @@ from qovr_core.geometry.knots import Knots
 NET_SIZE = 5
 """Rows and columns of the control net."""
 
+NetIndex = tuple[int, int]
+"""Row i and column j of a control point."""
+
 
 @dataclass(frozen=True, eq=False)
 class Document:

@@ -6,7 +6,6 @@ from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
 
 from qovr_app.state.editor_state import Focus
-from qovr_app.state.intents import NetIndex
 from qovr_app.state.names import AXES
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
@@ -14,6 +13,7 @@ from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, named, symbol
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
+from qovr_core.document import NetIndex
 from qovr_core.edits import value_at
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount

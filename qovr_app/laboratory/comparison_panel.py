@@ -11,7 +11,6 @@ from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import NetIndex
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
@@ -20,6 +19,7 @@ from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
+from qovr_core.document import NetIndex
 from qovr_core.laboratory.comparison import Comparison, ComparisonInput, Measures, compare, compared_names
 from qovr_core.laboratory.comparison_report import copied_text
 

@@ -9,8 +9,9 @@ from pathlib import Path
 
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.history import History
-from qovr_app.state.intents import NetIndex, Stamp
+from qovr_app.state.intents import Stamp
 from qovr_core import Document, Evaluation, ParametricSurface
+from qovr_core.document import NetIndex
 from qovr_core.edits import Place, Zone, copy_zone, value_at
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT

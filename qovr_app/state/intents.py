@@ -15,9 +15,6 @@ from pathlib import Path
 from qovr_core import Document
 from qovr_core.edits import Place, Zone
 
-NetIndex = tuple[int, int]
-"""Row i and column j of a control point."""
-
 Stamp = tuple[int, int]
 """When a file was last written, in nanoseconds, and its size: together they tell whether it is another one."""
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from qovr_app.state.intents import Intent, NetIndex
+from qovr_app.state.intents import Intent
+from qovr_core.document import NetIndex
 from qovr_core.edits import Place
 
 

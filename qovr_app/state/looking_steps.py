@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import Any
 
-from qovr_app.state import intents, looking_intents
+from qovr_app.state import looking_intents
 from qovr_app.state.display import ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
 from qovr_core import Layer, QovrError
+from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, zone_of
 from qovr_core.fields import Field
 
@@ -31,7 +32,7 @@ def field_focused(state: EditorState, intent: looking_intents.FieldFocused) -> E
     return replace(state, knot=place, knot_came_last=True)
 
 
-def _with_point(state: EditorState, last: intents.NetIndex, others: tuple[intents.NetIndex, ...] = ()) -> EditorState:
+def _with_point(state: EditorState, last: NetIndex, others: tuple[NetIndex, ...] = ()) -> EditorState:
     selection = Selection(last, frozenset((last, *others)))
     return replace(state, selection=selection, measured_point=last, knot_came_last=False)
 

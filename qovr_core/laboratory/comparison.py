@@ -9,7 +9,7 @@ import numpy as np
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.checks import LARGEST_MAGNITUDE, described
-from qovr_core.document import Document
+from qovr_core.document import Document, NetIndex
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
 from qovr_core.evaluation import Evaluation
@@ -95,7 +95,7 @@ class ComparisonInput:
     """
 
     document: Document
-    point: tuple[int, int] = DEFAULT_POINT
+    point: NetIndex = DEFAULT_POINT
     weight: float = DEFAULT_WEIGHT
 
     def __post_init__(self) -> None:
@@ -147,7 +147,7 @@ def compared_names() -> tuple[str, ...]:
 
 def compare(
     document: Document,
-    point: tuple[int, int] = DEFAULT_POINT,
+    point: NetIndex = DEFAULT_POINT,
     weight: float = DEFAULT_WEIGHT,
     report: Callable[[str, Measures], object] = lambda _name, _measures: None,
 ) -> Comparison:

@@ -9,12 +9,10 @@ from typing import ClassVar
 import numpy as np
 
 from qovr_core.arrays import Array
+from qovr_core.document import NetIndex
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.laboratory.splines import b_spline, bezier, catmull_rom, nurbs
 from qovr_core.registry import Record, Registry
-
-Index = tuple[int, int]
-"""Row i and column j of a control point."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,7 +31,7 @@ class ComparisonSurface(Record):
     name: str
     title: str
     description: str
-    build: Callable[[Array, Index, float], ParametricSurface]
+    build: Callable[[Array, NetIndex, float], ParametricSurface]
 
     table: ClassVar[Registry[ComparisonSurface]]
 
@@ -42,7 +40,7 @@ COMPARISON_SURFACES = ComparisonSurface.table = Registry[ComparisonSurface]("com
 """All comparison surfaces, in the order of the paper's Table 2."""
 
 
-def _with_weight(net: Array, point: Index, weight: float) -> ParametricSurface:
+def _with_weight(net: Array, point: NetIndex, weight: float) -> ParametricSurface:
     weights = np.ones(net.shape[:2])
     weights[point] = weight
     return nurbs(net, weights)

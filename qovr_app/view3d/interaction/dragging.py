@@ -9,10 +9,10 @@ from PySide6.QtCore import QObject, QPointF, Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.gestures import next_gesture
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array, read_only
+from qovr_core.document import NetIndex
 
 _DRAG_START = 3.0
 """Pixels the mouse moves before a press becomes a drag: a click selects and must not edit."""

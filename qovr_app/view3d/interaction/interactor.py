@@ -9,13 +9,13 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.interaction.camera_input import moved_by_gesture, moved_by_key, moved_by_mouse, moved_by_wheel
 from qovr_app.view3d.interaction.dragging import PointDragger, PressedPoint
 from qovr_app.view3d.interaction.keys import AXIS_KEYS, arrow_step, next_point
 from qovr_app.view3d.interaction.picking import pick
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.picture import Picture
+from qovr_core.document import NetIndex
 
 
 class Watched(Protocol):

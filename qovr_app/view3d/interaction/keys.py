@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import Qt
 
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.camera import Camera
+from qovr_core.document import NetIndex
 
 AXIS_KEYS: dict[int, int] = {Qt.Key.Key_X: 0, Qt.Key.Key_Y: 1, Qt.Key.Key_Z: 2}
 """While one of these is held, a dragged point stays on a line along that axis."""

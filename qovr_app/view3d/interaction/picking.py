@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.scene import Scene
+from qovr_core.document import NetIndex
 
 PICK_RADIUS = 10.0
 """Logical pixels around a point that belong to it: twice the disc, an easy target also for a trackpad."""

@@ -6,10 +6,10 @@ from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, Signal
 
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.interaction.interactor import Interactor, Watched
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.probing import Parameters, parameters_under
+from qovr_core.document import NetIndex
 
 
 class Pointer(QObject):

@@ -6,10 +6,10 @@ import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.painter.text import draw_text
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, Flags
+from qovr_core.document import NetIndex
 
 POINT_RADIUS = 4.5
 _MARKED_RADIUS, _RING_RADIUS = 6.0, 10.0

@@ -8,10 +8,10 @@ from functools import cached_property
 import numpy as np
 
 from qovr_app.state.display import Placement
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core import Document, ParametricSurface
 from qovr_core.arrays import Array, read_only
+from qovr_core.document import NetIndex
 from qovr_core.geometry.alignment import bounding_box
 from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_app.state.display import DisplaySettings, Style
-from qovr_app.state.intents import NetIndex
 from qovr_app.style.theme import Theme, theme_of
 from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
@@ -13,6 +12,7 @@ from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_app.view3d.scene.probing import Parameters
 from qovr_app.view3d.scene.scene import Scene
+from qovr_core.document import NetIndex
 
 _BAR_ROOM = 104.0
 _AXES_ROOM = 58.0

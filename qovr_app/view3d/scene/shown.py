@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from qovr_app.state.display import DisplaySettings
-from qovr_app.state.intents import NetIndex
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.scene import Companions
 from qovr_core import Document, Evaluation, ParametricSurface
+from qovr_core.document import NetIndex
 from qovr_core.fields import FIELDS
 from qovr_core.geometry.knots import KnotPlace
 
