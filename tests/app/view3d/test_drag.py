@@ -15,6 +15,8 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
 from qovr_app.state.display import LayerChoice
+from qovr_app.view3d.interaction.keys import arrow_step, next_point
+from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
 
 ALL_POINTS = [(i, j) for i in range(5) for j in range(5)]
 LEFT = Qt.MouseButton.LeftButton
@@ -183,6 +185,19 @@ def test_the_same_at_scale_factor_two():
         check=False,
     )
     assert run.returncode == 0, run.stdout[-3000:]
+
+
+def test_keys_walk_over_nets_of_any_shape():
+    shape, walked = (3, 7), [None]
+    while (index := next_point(walked[-1], shape, forward=True)) is not None:
+        walked.append(index)
+    assert walked[1:] == [(i, j) for i in range(3) for j in range(7)]
+    assert next_point(None, shape, forward=False) == (2, 6)
+    above = Camera(*NAMED_VIEWS["top"])
+    assert arrow_step((1, 5), shape, Qt.Key.Key_Right, above) == (1, 6)
+    assert arrow_step((1, 6), shape, Qt.Key.Key_Right, above) == (1, 6)
+    assert arrow_step((1, 6), shape, Qt.Key.Key_Up, above) == (2, 6)
+    assert arrow_step((2, 6), shape, Qt.Key.Key_Up, above) == (2, 6)
 
 
 def test_keys_walk_over_the_net(owner, spin):

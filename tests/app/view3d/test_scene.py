@@ -196,9 +196,13 @@ def test_a_scene_needs_no_samples():
     """The view reads nothing of an evaluation that grows with the document's sample counts."""
 
     class WithoutSamples(Evaluation):
-        def _once(self, name, compute):
-            assert name not in ("raw", "transformed")
-            return super()._once(name, compute)
+        @property
+        def raw(self):
+            raise AssertionError("the raw samples were asked for")
+
+        @property
+        def transformed(self):
+            raise AssertionError("the transformed samples were asked for")
 
     evaluation = WithoutSamples(replace(preset("fig5").document, samples=(11, 7)))
     scene = make_scene(evaluation, Layer.RAW, scene_frame(evaluation, Layer.RAW, Scaling.EACH))

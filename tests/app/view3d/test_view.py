@@ -145,6 +145,28 @@ def test_the_selection_can_be_set_and_cleared(make_view, document):
     assert owner.selections == []
 
 
+def test_any_number_of_points_can_be_selected(make_view, document, expected_pixel):
+    owner = make_view(document, layer=LayerChoice.RAW, labels=False, surface=False, control_net=False, axes=False)
+
+    def ringed():
+        """Return the points around which there is ink where a ring is, and nothing is drawn otherwise."""
+        image, ground = owner.view.image(), owner.view.picture().theme.background
+        found = set()
+        for index in np.ndindex(5, 5):
+            x, y = expected_pixel(owner.view, document.control_points[index])
+            at = [(x + 10 * np.cos(a), y + 10 * np.sin(a)) for a in np.linspace(0, 2 * np.pi, 24)]
+            ratio = image.devicePixelRatioF()
+            colours = [image.pixelColor(round(ratio * p), round(ratio * q)).getRgb()[:3] for p, q in at]
+            if sum(colour != ground for colour in colours) > 16:
+                found.add(index)
+        return found
+
+    assert ringed() == set()
+    select(owner.view, (1, 2), (3, 0), (4, 4))
+    assert ringed() == {(1, 2), (3, 0), (4, 4)}
+    assert owner.view.picture().last_selected == (4, 4)
+
+
 @pytest.mark.parametrize("where", ["upload", "shader", "overlay"])
 def test_an_error_while_painting_leads_to_the_painter(make_view, document, monkeypatch, silenced, where):
     from qovr_app.view3d import gl_viewport
