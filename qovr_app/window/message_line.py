@@ -37,6 +37,7 @@ class MessageLine(QLabel):
         self._end.stop()
         if after.message is None:
             self.clear()
+            self.setToolTip("")
         else:
             self._say(after.message)
 

@@ -252,6 +252,7 @@ def test_a_surface_that_overflows_is_no_surface(editor):
     assert editor.find("surface.export").isEnabled()
     editor.type_into("column_knots.K_0.r", "0.4")
     assert editor.message() == ""
+    assert not editor.find("message").toolTip()
     assert editor.document.row_knots[4].r == 0.4
 
 
