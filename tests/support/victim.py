@@ -10,7 +10,7 @@ import sys
 from pathlib import Path
 
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit
 
 from qovr_app.dialogs.export_dialog import ExportDialog
 from qovr_app.main import create_window
@@ -49,8 +49,10 @@ def main():
             editor.trigger("save")
         if random.random() < 0.3:
             dialog = ExportDialog(editor.document, folder / "kept", editor.window.worker, editor.window)
-            dialog._choose(random.choice([".xlsx", ".npz", ".csv"]))
-            dialog._run()
+            path = dialog.findChild(QLineEdit, "export.path")
+            path.selectAll()
+            QTest.keyClicks(path, str(folder / f"kept{random.choice(['.xlsx', '.npz', '.csv'])}"))
+            dialog.findChild(QAbstractButton, "export.start").click()
             QApplication.processEvents()
 
 

@@ -1,5 +1,6 @@
 """Jobs are ended when they are to end, and go with their window and their program."""
 
+import os
 import subprocess
 import sys
 import threading
@@ -131,7 +132,12 @@ def test_a_program_that_ends_any_way_takes_the_process_with_it(tmp_path, end):
         "app.exec()\n"
     )
     done = subprocess.run(
-        [sys.executable, "-c", code, str(tmp_path / "a")], stdout=subprocess.PIPE, text=True, timeout=60, check=False
+        [sys.executable, "-c", code, str(tmp_path / "a")],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)},
+        stdout=subprocess.PIPE,
+        text=True,
+        timeout=60,
+        check=False,
     )
     pid = int(done.stdout.split()[0])
     end_by = time.monotonic() + 30
