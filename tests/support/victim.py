@@ -10,10 +10,9 @@ import sys
 from pathlib import Path
 
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit
 
 from qovr_app.dialogs.export_dialog import ExportDialog
-from qovr_app.dialogs.format_list import FormatList
 from qovr_app.main import create_window
 from qovr_app.window.application import make_application
 from qovr_app.window.recovery import recovery_folder
@@ -50,7 +49,9 @@ def main():
             editor.trigger("save")
         if random.random() < 0.3:
             dialog = ExportDialog(editor.document, folder / "kept", editor.window.worker, editor.window)
-            dialog.findChild(FormatList, "export.format").choose(random.choice([".xlsx", ".npz", ".csv"]))
+            path = dialog.findChild(QLineEdit, "export.path")
+            path.selectAll()
+            QTest.keyClicks(path, str(folder / f"kept{random.choice(['.xlsx', '.npz', '.csv'])}"))
             dialog.findChild(QAbstractButton, "export.start").click()
             QApplication.processEvents()
 
