@@ -108,6 +108,8 @@ def _check(target: Path, place: Path) -> None:
         raise FileError(f"{target}: cannot be written: it is a folder; expected a file name")
     if not place.parent.is_dir():
         raise FileError(f"{target}: cannot be written: the folder {target.parent} does not exist")
+    if place.exists() and not place.is_file():
+        raise FileError(f"{target}: cannot be written: it is a device or a pipe; expected a file")
     if place.exists() and not os.access(place, os.W_OK):
         raise FileError(f"{target}: cannot be written: the file is write-protected")
 

@@ -192,6 +192,16 @@ def test_a_file_that_is_write_protected_is_not_replaced(tmp_path, monkeypatch):
     assert (tmp_path / "a").read_text() == "old"
 
 
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="there are no pipes with names here")
+def test_a_pipe_is_not_replaced(tmp_path):
+    pipe = tmp_path / "a.csv"
+    os.mkfifo(pipe)
+    with pytest.raises(FileError, match="a device or a pipe; expected a file"), replacing(pipe):
+        pass
+    assert pipe.is_fifo()
+    assert list(tmp_path.iterdir()) == [pipe]
+
+
 def test_of_two_files_none_appears_where_one_fails(tmp_path):
     first, second = tmp_path / "a", tmp_path / "b"
     first.write_text("old")
