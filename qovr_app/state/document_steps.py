@@ -6,7 +6,7 @@ from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
 
 from qovr_app.state import intents
-from qovr_app.state.editor_state import DocumentFile, EditorState, Selection, with_layer_in_place, with_message
+from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_layer_in_place, with_message
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
@@ -71,17 +71,33 @@ def point_dragged(state: EditorState, intent: intents.PointDragged) -> EditorSta
     def move(document: Document) -> Document:
         return edits.set_point(document, intent.i, intent.j, intent.point)
 
+    gesture = _gesture(state, intent.gesture)
     moved = _set(state, f"Move P {intent.i},{intent.j}", move(state.document), intent, intent.gesture)
     # A drag sets the document even where edits wait; what is typed over the point is where the hand has put it.
-    return replace(moved, draft=move(moved.draft), gesture=intent.gesture)
+    return replace(moved, draft=move(moved.draft), gesture=gesture)
+
+
+def _gesture(state: EditorState, number: int) -> Gesture:
+    """Return the gesture of a number: the one in hand, or one that begins here."""
+    if state.gesture is not None and state.gesture.number == number:
+        return state.gesture
+    return Gesture(number, state.history, state.draft)
 
 
 def gesture_ended(state: EditorState, _intent: intents.GestureEnded) -> EditorState:
-    return replace(state, gesture=0, message=None)
+    is_refused = state.message is not None and state.message.is_refusal
+    return replace(state, gesture=None, message=state.message if is_refused else None)
 
 
 def gesture_cancelled(state: EditorState, intent: intents.GestureCancelled) -> EditorState:
-    return replace(_arrived(state, state.history.cancelled(intent.gesture)), gesture=0)
+    gesture = state.gesture
+    if gesture is None or gesture.number != intent.gesture:
+        return state
+    history = state.history.without(gesture.number, gesture.history)
+    if history is state.history:
+        return replace(state, gesture=None)
+    back = _arrived(state, history)
+    return replace(back, draft=back.document if back.is_live else gesture.draft, gesture=None)
 
 
 def undone(state: EditorState, _intent: intents.Undone) -> EditorState:
@@ -107,7 +123,7 @@ def configured(state: EditorState, _intent: intents.Configured) -> EditorState:
 def opened(state: EditorState, intent: intents.Opened) -> EditorState:
     history = History(intent.document, saved=0 if intent.is_saved else None)
     file = DocumentFile(intent.title, intent.path, intent.stamp, intent.preset, state.file.opening + 1)
-    state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=0)
+    state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=None)
     state = with_message(state, intent.message) if intent.message else state
     return replace(_arrived(state, history), draft=intent.document)
 

@@ -85,6 +85,15 @@ class Message:
 
 
 @dataclass(frozen=True, eq=False)
+class Gesture:
+    """A drag in hand, and what it began with, which comes back where it is cancelled."""
+
+    number: int
+    history: History
+    draft: Document
+
+
+@dataclass(frozen=True, eq=False)
 class EditorState:
     """Everything that a window shows; never changed, only followed by the next one.
 
@@ -110,7 +119,7 @@ class EditorState:
     shows_zones : whether the zones are shown beside the view
     file : where the document is kept
     message : what the message line says
-    gesture : the drag in hand; 0 for none
+    gesture : the drag in hand; None for none
     """
 
     history: History
@@ -134,7 +143,7 @@ class EditorState:
     panel: str = ""
     shows_zones: bool = True
     message: Message | None = None
-    gesture: int = 0
+    gesture: Gesture | None = None
 
     @property
     def document(self) -> Document:

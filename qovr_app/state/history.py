@@ -95,16 +95,17 @@ class History:
             held = self.bytes_held - sum(document_bytes(each.document) for each in undone) + document_bytes(document)
             return replace(self._with_steps((*done, step), held), last_serial=step.serial)
         if document == self._document_at(self.index - 1):
-            return self.cancelled(gesture)
+            return self._with_steps(self.steps[:-1], self.bytes_held - document_bytes(self.document))
         grown = replace(self.steps[-1], document=document, intent=intent)
         held = self.bytes_held - document_bytes(self.document) + document_bytes(document)
         return self._with_steps((*self.steps[:-1], grown), held)
 
-    def cancelled(self, gesture: int) -> History:
-        """Return the history without a gesture's step, as if it had never been."""
-        if not self._can_grow(gesture):
+    def without(self, gesture: int, earlier: History) -> History:
+        """Return what this history was before a gesture, undone steps included; itself where more has been since."""
+        newer = [step for step in self.steps if step.serial > earlier.last_serial]
+        if self.index < len(self.steps) or any(step.gesture != gesture for step in newer):
             return self
-        return self._with_steps(self.steps[:-1], self.bytes_held - document_bytes(self.document))
+        return replace(earlier, saved=self.saved, last_serial=self.last_serial)
 
     def undone(self) -> History:
         """Return the history one step back."""

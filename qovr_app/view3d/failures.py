@@ -7,13 +7,13 @@ import logging
 LOGGER = logging.getLogger("qovr_app.view3d")
 
 
-def report(error: BaseException, doing: str) -> str:
+def report(error: BaseException, failure: str) -> str:
     """Log an error with its traceback and return one line for the user.
 
     Parameters
     ----------
-    doing : what was being done, as the object of "while"
+    failure : what did not go well, as "OpenGL failed while drawing"
     """
-    LOGGER.error("error while %s", doing, exc_info=error)
+    LOGGER.error(failure, exc_info=error)
     text = " ".join(str(error).split()) or type(error).__name__
-    return f"OpenGL failed while {doing}: {text}"
+    return f"{failure}: {text}"

@@ -99,7 +99,7 @@ class GlViewport(QOpenGLWidget):
 
     def _fail(self, error: Exception, doing: str) -> None:
         self._broken = True
-        self.failed.emit(failures.report(error, doing))
+        self.failed.emit(failures.report(error, f"OpenGL failed while {doing}"))
 
     def _paint_frame(self, picture: Picture) -> None:
         size, ratio = self.logical_size, self.devicePixelRatioF()

@@ -64,7 +64,7 @@ class PainterViewport(QWidget):
             try:
                 painter.drawImage(0, 0, self.image())
             except Exception as error:  # an exception must not escape into Qt's event loop
-                text = failures.report(error, "painting")
+                text = failures.report(error, "The view cannot be painted")
                 painter.fillRect(self.rect(), Qt.GlobalColor.darkGray)
                 painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
         QTimer.singleShot(0, self, self.painted.emit)

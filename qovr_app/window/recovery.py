@@ -170,23 +170,22 @@ class RecoveryWriter(QObject):
         super().__init__(parent)
         self._store, self._worker = store, worker
         self._has_failed = False
-        self._wanted: list[Snapshot | None] = []
+        self._asked = 0
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         """Hand a document that is not saved over to be kept, or let the one before be forgotten."""
         if after.differs(before, "history", "file"):
-            self._wanted.append((after.document, after.file.title, after.file.path) if after.is_changed else None)
-            self._worker.in_thread(self._write, on_failed=self._on_failed)
+            self._asked += 1
+            snapshot = (after.document, after.file.title, after.file.path) if after.is_changed else None
+            self._worker.in_thread(self._write, self._asked, snapshot, on_failed=self._on_failed)
 
     def close(self) -> None:
         """Forget the document: it is saved, or nobody wants it; the worker has been closed before."""
         self._store.close()
 
-    def _write(self) -> None:
-        if not self._wanted:
-            return  # an earlier call has written the latest already
-        snapshot = self._wanted[-1]
-        self._wanted.clear()
+    def _write(self, asked: int, snapshot: Snapshot | None) -> None:
+        if asked < self._asked:
+            return  # a later call will write a later document
         if snapshot is None:
             self._store.forget()
         else:

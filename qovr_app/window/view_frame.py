@@ -171,7 +171,7 @@ def shown_of(state: EditorState) -> Shown:
         reference_name=reference.name if reference else "",
         knot=state.knot,
         comparison=_comparison_of(state),
-        dragging=state.gesture != 0,
+        dragging=state.gesture is not None,
     )
 
 

@@ -85,7 +85,7 @@ class ChildProcess:
     def _write(self) -> None:
         """Write messages in a thread of their own: a pipe is full until the process has started."""
         assert self._process.stdin is not None
-        with suppress(OSError):  # the process has ended, which the reading finds
+        with suppress(OSError, ValueError):  # the process has ended, which the reading finds, and has closed the pipe
             for message in iter(self._outbox.get, None):
                 write_message(self._process.stdin, message)
 

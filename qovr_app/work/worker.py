@@ -117,7 +117,12 @@ class Worker(QObject):
             self._start_here(job)
             return
         if self._process is None or not self._process.is_alive:
-            self._process = ChildProcess(self._on_message)
+            try:
+                self._process = ChildProcess(self._on_message)
+            except OSError as error:
+                refusal = WorkError(f"A process for the work cannot be started: {error.strerror or error}")
+                self._end(lambda: job.fail(refusal))
+                return
             self._processes.add(self._process)
         self._runner = self._process
         self._process.run(job.number, content, job.target)

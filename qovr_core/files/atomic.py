@@ -31,8 +31,8 @@ def replacing(*targets: Path) -> Iterator[tuple[Path, ...]]:
     """Yield a new empty file beside each target; on success they take the targets' places, else they vanish.
 
     Whatever ends the block early - a full disk, an interrupt, a cancelled progress - leaves the targets as they were.
-    Links are followed. A file that was there keeps its mode, and its group and owner where the system allows;
-    a new one gets its mode from the system.
+    Several targets take their places one after the other. Links are followed. A file that was there keeps its mode, and
+    its group and owner where the system allows; a new one gets its mode from the system.
 
     Raises
     ------

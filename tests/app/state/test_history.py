@@ -53,16 +53,25 @@ def test_a_gesture_that_comes_back_leaves_no_step():
 
 
 def test_a_cancelled_gesture_has_never_been():
-    before = pushed(History(FIRST), 1.0)
-    after = pushed(before, 2.0, 3.0, gesture=7).cancelled(7)
+    before = pushed(History(FIRST), 1.0, 2.0).undone()
+    after = pushed(before, 3.0, 4.0, gesture=7).without(7, before)
     assert after.document == before.document
     assert after.steps == before.steps
-    assert after.redo_text is None
+    assert after.redo_text == before.redo_text is not None
 
 
-def test_another_gesture_cannot_be_cancelled():
-    history = pushed(History(FIRST), 2.0, gesture=7)
-    assert history.cancelled(8) is history
+def test_what_was_saved_within_a_cancelled_gesture_is_not_what_comes_next():
+    before = pushed(History(FIRST), 1.0)
+    within = pushed(before, 2.0, gesture=7)
+    back = within.marked_saved(within.serial).without(7, before)
+    assert not back.is_saved
+    assert not pushed(back, 3.0).is_saved
+
+
+def test_what_has_been_since_a_gesture_stays():
+    before = pushed(History(FIRST), 1.0)
+    later = pushed(pushed(before, 2.0, gesture=7), 3.0)
+    assert later.without(7, before) is later
 
 
 def test_a_saved_step_does_not_grow():

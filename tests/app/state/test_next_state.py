@@ -80,19 +80,34 @@ def test_what_has_no_surface_is_refused_before_the_history(start):
 
 def test_a_drag_is_one_step_and_is_cancelled_as_if_it_had_never_been(start):
     state = after(start, dragged(0.7), dragged(0.8), dragged(0.9))
-    assert state.gesture == 7
+    assert state.gesture.number == 7
     assert len(state.history.steps) == 1
     assert state.history.undo_text == "Move P 2,2"
     back = after(state, intents.GestureCancelled(7))
     assert back.document == start.document
-    assert back.gesture == 0
+    assert back.gesture is None
     assert not back.is_changed
     assert not back.is_stale
 
 
+def test_a_cancelled_drag_gives_back_what_was_undone_and_what_was_pending(start):
+    undone = after(start, intents.ValuesEdited({S_OF_C2: 0.6}), intents.Undone())
+    back = after(undone, dragged(0.7), intents.GestureCancelled(7))
+    assert back.history.redo_text == undone.history.redo_text is not None
+    waiting = after(start, intents.LiveSwitched(False), intents.ValuesEdited({Z_OF_P22: 0.9}))
+    back = after(waiting, dragged(0.7), dragged(0.8), intents.GestureCancelled(7))
+    assert value_at(back.draft, Z_OF_P22) == 0.9
+    assert back.is_pending(Z_OF_P22)
+
+
+def test_the_end_of_a_drag_leaves_a_refusal(start):
+    refused = after(start, dragged(0.7), looking_intents.MessageShown("No.", is_refusal=True), intents.GestureEnded(7))
+    assert refused.message.text == "No."
+
+
 def test_what_ends_a_drag_keeps_it(start):
     state = after(start, dragged(0.7), intents.GestureEnded(7))
-    assert state.gesture == 0
+    assert state.gesture is None
     assert after(state, intents.Undone()).document == start.document
 
 
