@@ -8,11 +8,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
-from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.laboratory.panel import WorkingPanel
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.requests import DocumentAsked
 from qovr_app.store import Store
@@ -21,7 +20,6 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import CompactButton, named
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.work.job import Job
-from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Document
 from qovr_core.laboratory.claims import CLAIMS
@@ -35,7 +33,7 @@ Shown = Callable[[Finding], Document | None]
 """Which document of a finding a button opens."""
 
 
-class ClaimsPanel(LaboratoryPanel):
+class ClaimsPanel(WorkingPanel):
     """A table of verdicts, what is behind the current one, and the documents that show it.
 
     The worker decides while nothing changes. A change of the document stops that at once; until there are new verdicts
@@ -48,7 +46,6 @@ class ClaimsPanel(LaboratoryPanel):
         self._all = len(CLAIMS) * len(FORMULATIONS)
         self._found = 0
         self._row: list[Finding] = []
-        self._work = QuietJob(self._begin, self)
         self._table = ClaimsTable(self)
         self._table.finding_changed.connect(self._show_finding)
         self._table.opening_requested.connect(self._open_first)
@@ -71,6 +68,10 @@ class ClaimsPanel(LaboratoryPanel):
         """Whether every verdict shown is the document's."""
         return self._found == self._all
 
+    @property
+    def is_outdated(self) -> bool:
+        return self._document is not None and not self.is_current
+
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         if before is None or before.display.theme != after.display.theme:
             self._table.viewport().update()
@@ -87,20 +88,11 @@ class ClaimsPanel(LaboratoryPanel):
         self._document, self._found = document, 0
         self._table.set_old()
         self._show_progress("The document has changed: verdicts in grey are of the one before.")
-        self._work.restart()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        self._work.stop()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        if self._document is not None and not self.is_current:
-            self._work.restart()
+        self.work.restart()
 
     # Looking for verdicts
 
-    def _begin(self) -> Job:
+    def begin(self) -> Job:
         self._found, self._row = 0, []
         return self.worker.run(
             verify,

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from functools import partial
 
-from PySide6.QtGui import QGuiApplication, QHideEvent, QShowEvent
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
-from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.laboratory.panel import WorkingPanel
 from qovr_app.state.editor_state import EditorState
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import named, symbol
 from qovr_app.work.job import Job
-from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.document import NetIndex
@@ -24,7 +23,7 @@ from qovr_core.laboratory.comparison import Comparison, ComparisonInput, Measure
 from qovr_core.laboratory.comparison_report import copied_text
 
 
-class ComparisonPanel(LaboratoryPanel):
+class ComparisonPanel(WorkingPanel):
     """Follows the document and the selected point.
 
     The worker measures while nothing changes; a change stops that at once, and until there are new measures the old are
@@ -35,7 +34,6 @@ class ComparisonPanel(LaboratoryPanel):
         super().__init__(store, worker, parent)
         self._wanted: tuple[Document, NetIndex, float] | None = None
         self._measures: dict[str, Measures] = {}
-        self._work = QuietJob(self._begin, self)
         self._bar = ComparisonBar(store.dispatch, self)
         self._bar.copy_requested.connect(self._copy)
         self._bar.refused.connect(self.refuse)
@@ -50,6 +48,10 @@ class ComparisonPanel(LaboratoryPanel):
         """Whether every measure shown is the document's."""
         return len(self._measures) == len(compared_names())
 
+    @property
+    def is_outdated(self) -> bool:
+        return self._wanted is not None and not self.is_current
+
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         if before is None or before.display.theme != after.display.theme:
             self._table.refresh_colours()
@@ -62,23 +64,13 @@ class ComparisonPanel(LaboratoryPanel):
             self._wanted = wanted
             self._restart()
 
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        if self._wanted is not None and not self.is_current:
-            self._work.restart()
-
-    def hideEvent(self, event: QHideEvent) -> None:
-        super().hideEvent(event)
-        if not event.spontaneous():  # a minimised window comes back as it was
-            self._work.stop()
-
     def _restart(self) -> None:
         self._measures = {}
         self._table.set_old()
         self._bar.set_copyable(False)
-        self._work.restart()
+        self.work.restart()
 
-    def _begin(self) -> Job | None:
+    def begin(self) -> Job | None:
         self._measures = {}
         if self._wanted is None:
             return None

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.store import Store
+from qovr_app.work.job import Job
+from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
 
 
@@ -37,3 +40,30 @@ class LaboratoryPanel(QWidget):
     def refuse(self, reason: str) -> None:
         """Say why what is typed is not taken; empty says that this is outdated."""
         self.store.dispatch(MessageShown(reason, is_refusal=True) if reason else MessageOutdated(only_refusals=True))
+
+
+class WorkingPanel(LaboratoryPanel):
+    """A panel that shows what a job finds, which the worker does while the panel is shown and nothing changes."""
+
+    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
+        super().__init__(store, worker, parent)
+        self.work = QuietJob(self.begin, self)
+
+    @property
+    def is_outdated(self) -> bool:
+        """Whether there is something to do, and not all of it has been found."""
+        raise NotImplementedError
+
+    def begin(self) -> Job | None:
+        """Ask the worker for the job, of what is shown; return None where there is nothing to do."""
+        raise NotImplementedError
+
+    def showEvent(self, event: QShowEvent) -> None:
+        super().showEvent(event)
+        if self.is_outdated and not self.work.is_running:
+            self.work.restart()
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        super().hideEvent(event)
+        if not event.spontaneous():  # a minimised window comes back as it was
+            self.work.stop()

@@ -114,7 +114,6 @@ class EditorState:
     comparison : what the surface is compared with
     display : how the surface is shown
     colours_before : what coloured the surface before the distance map; empty without one
-    probe : the viewport and the parameters u, v under the pointer; None where there is no surface
     panel : the panel of the laboratory that is shown; empty for none
     shows_zones : whether the zones are shown beside the view
     file : where the document is kept
@@ -139,7 +138,6 @@ class EditorState:
     comparison: ComparisonChoice = ComparisonChoice()
     display: DisplaySettings = field(default_factory=DisplaySettings)
     colours_before: str = ""
-    probe: tuple[int, float, float] | None = None
     panel: str = ""
     shows_zones: bool = True
     message: Message | None = None

@@ -41,13 +41,6 @@ class RangeFixed(Intent):
 
 
 @dataclass(frozen=True)
-class Probed(Intent):
-    """The point of the surface under the pointer: which viewport, u and v; None where there is none."""
-
-    place: tuple[int, float, float] | None
-
-
-@dataclass(frozen=True)
 class ReferencePinned(Intent):
     """The configured surface is the reference from now on."""
 

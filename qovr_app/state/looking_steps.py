@@ -48,10 +48,6 @@ def range_fixed(state: EditorState, intent: looking_intents.RangeFixed) -> Edito
     return replace(state, display=replace(state.display, colour_range=ColourRange.FIXED, fixed_range=limits))
 
 
-def probed(state: EditorState, intent: looking_intents.Probed) -> EditorState:
-    return state if intent.place == state.probe else replace(state, probe=intent.place)
-
-
 def reference_pinned(state: EditorState, _intent: looking_intents.ReferencePinned) -> EditorState:
     """Pin the surface configured last, in the layer that is shown; of two, in the one that lies on the net."""
     evaluation, shown = state.evaluation, state.display.layer

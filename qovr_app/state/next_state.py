@@ -32,7 +32,6 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     looking_intents.FieldFocused: looking_steps.field_focused,
     looking_intents.DisplayChosen: looking_steps.display_chosen,
     looking_intents.RangeFixed: looking_steps.range_fixed,
-    looking_intents.Probed: looking_steps.probed,
     looking_intents.ReferencePinned: looking_steps.reference_pinned,
     looking_intents.ReferenceUnpinned: looking_steps.reference_unpinned,
     looking_intents.ComparisonChosen: looking_steps.comparison_chosen,

@@ -42,7 +42,6 @@ class View3D(QWidget):
     point_hovered, point_selected : (i, j) or None
     point_dragged : i, j, the wanted coordinates (3,) float64, and the drag's gesture number
     drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
-    probed : the viewport and the parameters u, v of what is read off under the mouse; None where that is nothing
     fell_back : once, why OpenGL is not used
     frame_painted : a frame has reached the window
     """
@@ -52,7 +51,6 @@ class View3D(QWidget):
     point_dragged = Signal(int, int, object, int)
     drag_finished = Signal(int)
     drag_cancelled = Signal(int)
-    probed = Signal(object)
     fell_back = Signal(str)
     frame_painted = Signal()
 
@@ -66,7 +64,6 @@ class View3D(QWidget):
         self._pointer = Pointer(self.picture, self)
         self._pointer.moved.connect(self._show)
         self._pointer.hovered.connect(self.point_hovered)
-        self._pointer.probed.connect(self.probed)
         self._viewports = Viewports(self, self.picture)
         self._viewports.interactor_made.connect(self._listen)
         self._viewports.painted.connect(self.frame_painted)

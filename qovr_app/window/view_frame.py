@@ -128,7 +128,6 @@ class ViewFrame(QWidget):
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
         view.point_selected.connect(lambda index: dispatch(looking_intents.Selected(index)))
-        view.probed.connect(lambda place: dispatch(looking_intents.Probed(place)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
 
     def _make_herald(self) -> QWidget | None:

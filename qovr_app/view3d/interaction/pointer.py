@@ -23,12 +23,10 @@ class Pointer(QObject):
     -------
     moved : something else is under it
     hovered : another control point is under it, (i, j), or None
-    probed : another point of the surface is read off: its viewport and its parameters u, v; None for none
     """
 
     moved = Signal()
     hovered = Signal(object)
-    probed = Signal(object)
 
     def __init__(self, picture: Callable[[int], Picture | None], parent: QObject) -> None:
         super().__init__(parent)
@@ -54,9 +52,7 @@ class Pointer(QObject):
 
     def read_off(self, viewports: Sequence[Watched]) -> None:
         """Find the point of the surface that is under the mouse now."""
-        before, self._probed = self._probed, self._found(viewports)
-        if self._probed != before:
-            self.probed.emit(None if self._probed is None else (self._probed[0], *self._probed[1]))
+        self._probed = self._found(viewports)
 
     def _found(self, viewports: Sequence[Watched]) -> tuple[int, Parameters] | None:
         if self._at is None:

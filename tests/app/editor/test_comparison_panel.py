@@ -184,7 +184,7 @@ def test_a_drag_is_not_held_up_by_measuring(make_editor, monkeypatch):
     editor.settle()
     editor.drag_slider("row_knots.slider", [4, 4, 4])
     assert not panel(editor).is_current
-    assert not panel(editor)._work.is_running
+    assert not panel(editor).work.is_running
     assert measured(editor) == expected(editor.document)
 
 
@@ -193,7 +193,7 @@ def test_a_closed_panel_measures_nothing(editor):
     editor.click("laboratory.close")
     editor.type_into("control_points.P_2_2.z", "2", Qt.Key.Key_Return)
     QTest.qWait(500)
-    assert not panel(editor)._work.is_running
+    assert not panel(editor).work.is_running
     editor.trigger("laboratory_comparison")
     assert measured(editor) == expected(editor.document)
 

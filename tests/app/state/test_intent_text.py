@@ -37,9 +37,6 @@ EXAMPLES = {
     looking_intents.Selected: st.builds(looking_intents.Selected, st.none() | INDICES, st.lists(INDICES).map(tuple)),
     looking_intents.FieldFocused: st.builds(looking_intents.FieldFocused, PLACES),
     looking_intents.DisplayChosen: st.just(looking_intents.DisplayChosen("layer", LayerChoice.BOTH)),
-    looking_intents.Probed: st.builds(
-        looking_intents.Probed, st.none() | st.tuples(st.integers(0, 2), NUMBERS, NUMBERS)
-    ),
     looking_intents.ComparisonChosen: st.builds(
         looking_intents.ComparisonChosen, st.text(), st.sampled_from([*map(str, Placement), ""]), NUMBERS
     ),
