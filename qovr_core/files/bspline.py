@@ -10,6 +10,8 @@ import numpy as np
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.errors import FileError
+from qovr_core.evaluation import Evaluation
+from qovr_core.files.options import ExportOptions
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.patch import PATCH_DEGREE, Patch
@@ -63,15 +65,17 @@ def has_area(patch: Patch) -> bool:
     return bool(lengths.max() > _NO_AREA * bound)
 
 
-def check_area(patch: Patch, path: Path) -> None:
-    """Refuse a patch that is no surface.
+def chosen_patch(evaluation: Evaluation, options: ExportOptions, path: Path) -> Patch:
+    """Return the patch that is to be written into a file.
 
     Raises
     ------
-    FileError : the patch has no area
+    FileError : the patch is no surface, for it has no area
     """
+    patch = options.chosen_patch(evaluation)
     if not has_area(patch):
         raise FileError(f"{path}: the surface is drawn together into a curve or a point; expected one with an area")
+    return patch
 
 
 def diagonal(points: Array) -> float:

@@ -36,8 +36,7 @@ def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: 
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = options.chosen_patch(evaluation)
-    bspline.check_area(patch, path)
+    patch = bspline.chosen_patch(evaluation, options, path)
     progress(0.0)
     points = bspline.control_points(patch)
     text = _file(_start(evaluation, options), _global_fields(points, path), _parameters(points))

@@ -77,8 +77,7 @@ def build_mesh(
     ------
     FileError : the surface has no area, or the tolerance is finer than the format or the largest grid
     """
-    patch = options.chosen_patch(evaluation)
-    bspline.check_area(patch, path)
+    patch = bspline.chosen_patch(evaluation, options, path)
     progress(0.0)
     measured = None
     if options.tolerance is None:

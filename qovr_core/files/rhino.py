@@ -36,8 +36,7 @@ def write_3dm(evaluation: Evaluation, path: Path, progress: Progress, options: E
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = options.chosen_patch(evaluation)
-    bspline.check_area(patch, path)
+    patch = bspline.chosen_patch(evaluation, options, path)
     progress(0.0)
     content = base64.b64decode(_model(evaluation, bspline.control_points(patch), options).Encode())
     progress(0.5)
