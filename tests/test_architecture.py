@@ -22,7 +22,7 @@ MOST_METHODS = 20
 
 FLOORS = {
     "qovr_core": (
-        "arrays errors layer number_texts registry version",
+        "arrays cameras errors layer number_texts registry version",
         "checks colours",
         "geometry",
         "fields formulations",

@@ -11,7 +11,7 @@ MOST_STEPS = 2000
 """More steps than anybody takes back."""
 
 MOST_BYTES = 256 * 1024 * 1024
-"""What all documents of a history may take together; the largest nets fill it with some hundred steps."""
+"""What all documents of a history may take together; of 5 x 5 points, 2,000 steps stay far below."""
 
 _BYTES_A_CURVE = 200
 """A curve's four knots as Python holds them."""

@@ -159,7 +159,7 @@ class FieldZone(QFrame):
         return row
 
     def _count_pending(self) -> None:
-        count = sum(field.is_pending for field in self.fields.values())
+        count = sum(self._store.state.is_pending(place) for place in self.fields)
         self._set.set_due(count > 0)
         self._count.setText(f"{count} not set" if count else "")
 

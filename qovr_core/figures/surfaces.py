@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.construction import curve_network
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
@@ -13,9 +14,6 @@ from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory.one_curve import SAMPLES
 from qovr_core.layer import Layer
-
-# MATLAB's view(36, 64) and view(0, 90): its azimuth is 90 degrees ahead of matplotlib's.
-_CAMERAS = {"paper": {"elev": 64.0, "azim": 36.0 - 90.0}, "top": {"elev": 90.0, "azim": 0.0 - 90.0}}
 
 _ZOOM = {"paper": 0.9, "top": 1.1}
 """Fills the frame without cutting off the box's upper corners or the titles of the axes."""
@@ -45,8 +43,7 @@ def draw_figure(evaluation: Evaluation, *, layer: str, camera: str) -> Any:
 
     figure = Figure(figsize=_SIZE_INCHES, layout="constrained")
     axes: Any = figure.add_subplot(projection="3d", proj_type="ortho", computed_zorder=False)
-    axes.view_init(**_CAMERAS[camera])
-    axes.set_box_aspect(None, zoom=_ZOOM[camera])
+    _look(axes, camera)
     facets = _draw_facets(axes, evaluation.samples(Layer(layer)))
     _draw_control_points(axes, evaluation.document.control_points)
     _label_axes(axes, from_above=camera == "top")
@@ -66,8 +63,7 @@ def draw_network(document: Document, size: tuple[float, float] = _SIZE_INCHES) -
 
     figure = Figure(figsize=size, layout="constrained")
     axes: Any = figure.add_subplot(projection="3d", proj_type="ortho", computed_zorder=False)
-    axes.view_init(**_CAMERAS["paper"])
-    axes.set_box_aspect(None, zoom=_ZOOM["paper"])
+    _look(axes, "paper")
     net = document.control_points
     for line in (*net, *net.transpose(1, 0, 2)):
         axes.plot(*line.T, color=_NET_COLOR, linewidth=0.8, linestyle=":", zorder=1)
@@ -84,6 +80,12 @@ def draw_network(document: Document, size: tuple[float, float] = _SIZE_INCHES) -
     _draw_control_points(axes, net)
     _label_axes(axes, from_above=False)
     return figure
+
+
+def _look(axes: Any, camera: str) -> None:
+    azimuth, elevation = NAMED_VIEWS[camera]
+    axes.view_init(elev=elevation, azim=azimuth)
+    axes.set_box_aspect(None, zoom=_ZOOM[camera])
 
 
 def _draw_facets(axes: Any, points: np.ndarray) -> Any:

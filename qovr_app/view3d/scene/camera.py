@@ -13,6 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
+from qovr_core.cameras import NAMED_VIEWS
 
 FIELD_OF_VIEW = 32.0
 """Degrees across the smaller side in perspective: a moderate lens, which bends the axes box without
@@ -168,11 +169,6 @@ class Camera:
             centre=tuple(centre.tolist()),
             span=self.span * (other.span / self.span) ** part,
         )
-
-
-NAMED_VIEWS = {"paper": (-54.0, 64.0), "top": (-90.0, 90.0), "front": (-90.0, 0.0), "right": (0.0, 0.0)}
-"""Azimuth and elevation by name. The paper's is MATLAB's view(36, 64), which counts azimuth from -y: 36 -
-90."""
 
 
 def named_view(name: str, camera: Camera) -> Camera:

@@ -5,7 +5,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_app.view3d.scene.camera import NAMED_VIEWS, SPAN_LIMITS, Camera, Margins, fitted
+from qovr_app.view3d.scene.camera import SPAN_LIMITS, Camera, Margins, fitted
+from qovr_core.cameras import NAMED_VIEWS
 
 SIZE = (800.0, 600.0)
 CAMERAS = [

@@ -16,7 +16,8 @@ from PySide6.QtWidgets import QApplication
 
 from qovr_app.state.display import LayerChoice
 from qovr_app.view3d.interaction.keys import arrow_step, next_point
-from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
+from qovr_app.view3d.scene.camera import Camera
+from qovr_core.cameras import NAMED_VIEWS
 
 ALL_POINTS = [(i, j) for i in range(5) for j in range(5)]
 LEFT = Qt.MouseButton.LeftButton

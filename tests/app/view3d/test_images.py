@@ -6,8 +6,8 @@ import pytest
 from qovr_app.state.display import ColourMap, DisplaySettings, LayerChoice, Projection, Style, ThemeName
 from qovr_app.style.colour_maps import colours_of
 from qovr_app.view3d.painter.colour_bar import bar_rect
-from qovr_app.view3d.scene.camera import NAMED_VIEWS
 from qovr_core import configure
+from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.document import Document
 from support.view import change
 

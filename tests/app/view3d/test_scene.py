@@ -11,7 +11,7 @@ from qovr_app.state.display import ColourMap, Scaling, Style
 from qovr_app.style.colour_maps import colour_table, colours_of
 from qovr_app.style.ticks import round_limits, tick_positions
 from qovr_app.view3d.scene.axes import axes_box
-from qovr_app.view3d.scene.camera import NAMED_VIEWS, Camera
+from qovr_app.view3d.scene.camera import Camera
 from qovr_app.view3d.scene.frame import frame_around
 from qovr_app.view3d.scene.mesh import (
     curve_points,
@@ -23,6 +23,7 @@ from qovr_app.view3d.scene.mesh import (
 from qovr_app.view3d.scene.occlusion import Occluder
 from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Document, Evaluation, Patch, configure
+from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.edits import set_formulation, set_points
 from qovr_core.layer import Layer
 from qovr_core.number_texts import tick_texts

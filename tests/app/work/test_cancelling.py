@@ -145,13 +145,3 @@ def test_a_program_that_ends_any_way_takes_the_process_with_it(tmp_path, end):
         time.sleep(0.05)
     assert not is_alive(pid)
     assert list(tmp_path.iterdir()) == []
-
-
-def test_how_long_the_first_job_takes(worker, answer, capsys):
-    start = time.perf_counter()
-    answer(jobs.add, 1, 2)
-    first = time.perf_counter() - start
-    start = time.perf_counter()
-    answer(jobs.add, 1, 2)
-    with capsys.disabled():
-        print(f"\n  first job {1e3 * first:.0f} ms, second {1e3 * (time.perf_counter() - start):.0f} ms")
