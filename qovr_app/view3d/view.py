@@ -39,14 +39,13 @@ class View3D(QWidget):
 
     Signals
     -------
-    point_hovered, point_selected : (i, j) or None
+    point_selected : (i, j) or None
     point_dragged : i, j, the wanted coordinates (3,) float64, and the drag's gesture number
     drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
     fell_back : once, why OpenGL is not used
     frame_painted : a frame has reached the window
     """
 
-    point_hovered = Signal(object)
     point_selected = Signal(object)
     point_dragged = Signal(int, int, object, int)
     drag_finished = Signal(int)
@@ -63,7 +62,6 @@ class View3D(QWidget):
         self.camera_motion.moved.connect(self._refinement.move)
         self._pointer = Pointer(self.picture, self)
         self._pointer.moved.connect(self._show)
-        self._pointer.hovered.connect(self.point_hovered)
         self._viewports = Viewports(self, self.picture)
         self._viewports.interactor_made.connect(self._listen)
         self._viewports.painted.connect(self.frame_painted)

@@ -22,11 +22,9 @@ class Pointer(QObject):
     Signals
     -------
     moved : something else is under it
-    hovered : another control point is under it, (i, j), or None
     """
 
     moved = Signal()
-    hovered = Signal(object)
 
     def __init__(self, picture: Callable[[int], Picture | None], parent: QObject) -> None:
         super().__init__(parent)
@@ -74,4 +72,3 @@ class Pointer(QObject):
         if index != self._hovered:
             self._hovered = index
             self.moved.emit()
-            self.hovered.emit(index)

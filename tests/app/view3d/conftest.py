@@ -58,13 +58,11 @@ class Owner:
         self.drags: list[tuple[int, int, np.ndarray, int]] = []
         self.ends: list[tuple[str, int]] = []
         self.selections: list[object] = []
-        self.hovers: list[object] = []
         self.reasons: list[str] = []
         view.point_dragged.connect(self._on_dragged)
         view.drag_finished.connect(self._on_finished)
         view.drag_cancelled.connect(self._on_cancelled)
         view.point_selected.connect(self._on_selected)
-        view.point_hovered.connect(self.hovers.append)
         view.fell_back.connect(self.reasons.append)
         change(view, document=document)
 

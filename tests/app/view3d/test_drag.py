@@ -155,9 +155,9 @@ def test_a_hidden_point_is_still_picked(make_view, document, pixel):
 
 def test_hovering_tells_which_point(owner, pixel):
     viewport = owner.view.viewports[0]
-    for at in (pixel(owner, (0, 1)), np.array([3.0, 3.0])):
+    for at, index in ((pixel(owner, (0, 1)), (0, 1)), (np.array([3.0, 3.0]), None)):
         send(viewport, QMouseEvent.Type.MouseMove, at, Qt.MouseButton.NoButton, Qt.MouseButton.NoButton)
-    assert owner.hovers == [(0, 1), None]
+        assert owner.view.picture().hovered == index
 
 
 def test_both_layers_are_dragged_in_their_own_space(make_view, document, expected_pixel):
