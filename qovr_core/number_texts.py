@@ -44,9 +44,13 @@ def fitted_text(value: float, fits: Callable[[str], bool]) -> str:
     return text
 
 
-def block_text(rows: Sequence[Sequence[float]]) -> str:
-    """Return rows of numbers as a spreadsheet takes them: tabs, line ends, full precision."""
-    return "".join("\t".join(map(number_text, row)) + "\n" for row in rows)
+def block_text(rows: Sequence[Sequence[float | str]]) -> str:
+    """Return rows of numbers and words as a spreadsheet takes them: tabs, line ends, full precision."""
+    return "".join("\t".join(map(_cell_text, row)) + "\n" for row in rows)
+
+
+def _cell_text(cell: float | str) -> str:
+    return " ".join(cell.split()) if isinstance(cell, str) else number_text(cell)
 
 
 def rounded_text(value: float, digits: int) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
-from qovr_app.state.typed import typed_number
+from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.parts import named, words
 from qovr_core import Document, DocumentError
 from qovr_core.files import Format

@@ -7,7 +7,7 @@ import math
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
-from qovr_app.state.typed import typed_number
+from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.parts import named
 from qovr_core import QovrError
 from qovr_core.fields import Range

@@ -7,15 +7,16 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
-    QGuiApplication,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
 )
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.typed import is_block, typed_number
+from qovr_app.state.typed import is_block
+from qovr_app.state.typed_numbers import trimmed, typed_value
 from qovr_app.widgets.bursts import Bursts
+from qovr_app.widgets.clipboard import pasted_cells
 from qovr_app.widgets.number_cell import NumberCell
 from qovr_core import QovrError
 from qovr_core.number_texts import number_text
@@ -49,14 +50,14 @@ class NumberField(NumberCell):
     refused : why the text is no number for this field; empty when a refusal no longer holds
     text_owned : whether the field has text of its own has changed
     focused : the field has the keyboard now
-    block_pasted : a spreadsheet's text of several cells
+    block_pasted : several cells are on the clipboard, and were pasted here
     """
 
     value_edited = Signal(float, int)
     refused = Signal(str)
     text_owned = Signal()
     focused = Signal()
-    block_pasted = Signal(str)
+    block_pasted = Signal()
 
     def __init__(
         self, name: str, check: Callable[[object, str], float], step: float, parent: QWidget | None = None
@@ -92,7 +93,7 @@ class NumberField(NumberCell):
         if not self.has_own_text:
             return self._value
         try:
-            return self._check(typed_number(self.text()), self._name)
+            return typed_value(self.text(), self._name, self._check)
         except QovrError as error:
             self._error = str(error)
             self._refresh()
@@ -155,10 +156,23 @@ class NumberField(NumberCell):
         elif event.key() == Qt.Key.Key_Escape and self.has_own_text:
             self.revert()
             self.selectAll()
-        elif event.matches(QKeySequence.StandardKey.Paste) and is_block(QGuiApplication.clipboard().text()):
-            self.block_pasted.emit(QGuiApplication.clipboard().text())
+        elif event.matches(QKeySequence.StandardKey.Paste):
+            self.paste()
         else:
             super().keyPressEvent(event)
+
+    def paste(self) -> None:
+        """Paste a number in full, whatever of it the table shows; several cells are for whoever has their places."""
+        try:
+            cells = pasted_cells()
+        except QovrError as error:
+            self.refused.emit(str(error))
+            return
+        if is_block(cells):
+            self.block_pasted.emit()
+        elif cells and cells[0]:
+            cell = cells[0][0]
+            self.insert(trimmed(cell) if isinstance(cell, str) else number_text(cell))
 
     def _step(self, count: float) -> None:
         try:

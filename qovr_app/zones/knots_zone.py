@@ -13,6 +13,7 @@ from qovr_app.state.names import knot_meaning, spoken
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.parts import Note, symbol
 from qovr_app.zones.knot_slider import KnotSlider
 from qovr_app.zones.zone import FieldZone
@@ -70,7 +71,7 @@ class KnotsZone(FieldZone):
                 field.set_warning("" if knots.is_monotone else _folding_text(name, knots))
         self._note.say("<br>".join(self._notes(curves, formulation)))
 
-    def copied_block(self) -> list[list[float]]:
+    def copied_block(self) -> Rows:
         return [[self.fields[place].value for place in row] for row in self._table()]
 
     def _table(self) -> list[list[KnotPlace]]:

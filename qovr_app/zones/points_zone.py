@@ -12,6 +12,7 @@ from qovr_app.state.names import AXES
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.parts import symbol
 from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number
@@ -40,10 +41,10 @@ class PointsZone(FieldZone):
             for place in chain(*self._points()):
                 self.fields[place].set_marked((place.i, place.j) in after.selection.points)
 
-    def copied_block(self) -> list[list[float]]:
+    def copied_block(self) -> Rows:
         return [[self.fields[place].value for place in row] for row in self._points()]
 
-    def copied_plane(self) -> list[list[float]]:
+    def copied_plane(self) -> Rows:
         """Return one coordinate of all points, 5 x 5 as the net lies: that of the field that had the keyboard last."""
         return [[self.fields[place].value for place in row] for row in self._plane()]
 
