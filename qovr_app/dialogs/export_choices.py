@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePo
 
 from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.parts import named, words
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import Document, DocumentError
 from qovr_core.files import Format
 from qovr_core.files.options import ExportOptions
@@ -29,6 +30,7 @@ class ExportChoices(QWidget):
         self._keeps = self._text("export.keeps")
         self._loses = self._text("export.loses")
         self._layer = named(QComboBox(self), "export.layer", "Which surface")
+        guard_from_wheels(self._layer)
         self._layer.addItems([str(layer) for layer in Layer])
         self._layer.setCurrentText(str(document.formulation.resting_layer))
         self._tolerance = named(QLineEdit(self), "export.tolerance", "Largest distance of the mesh from the surface")

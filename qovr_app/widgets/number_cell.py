@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
+from PySide6.QtGui import QColor, QEnterEvent, QFocusEvent, QMoveEvent, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.cell import Marks, paint_cell
-from qovr_core.number_texts import fitted_text
+from qovr_app.widgets.plain import plain_tip
+from qovr_core.number_texts import MORE_DIGITS, fitted_text
 
 _PADDING = 4
 _HEIGHT_BEYOND_TEXT = 4
+_FIRST_TEXT, _LEAST_TEXT = "-0.0000", f"-1{MORE_DIGITS}e{MORE_DIGITS}"
+"""What a field has room for at first, and at least: a sign, and the digits that say how large a number is."""
+
+_CURSOR = 3
+"""Room for the cursor behind the last digit, or the line edit scrolls the first one away."""
 
 
 class NumberCell(QLineEdit):
@@ -26,6 +32,9 @@ class NumberCell(QLineEdit):
         self._value, self._shown = 0.0, ""
         self._error = self._warning = self._tip = ""
         self._is_unset = self._is_idle = self._is_marked = False
+        self._width: int | None = None
+        self._cell = self.geometry()
+        self._is_growing = False
         self.setFrame(False)
         self.setAcceptDrops(False)  # a file dropped here is meant for the window
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
@@ -63,6 +72,11 @@ class NumberCell(QLineEdit):
         """Whether the number belongs to what is selected elsewhere."""
         return self._is_marked
 
+    def set_width(self, width: int) -> None:
+        """Give the field a width of its own; without, it fills what it is given."""
+        self._width = width
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
     def set_tip(self, text: str) -> None:
         """Say what the number means."""
         self._tip = text
@@ -90,19 +104,58 @@ class NumberCell(QLineEdit):
         parts = [self._error, self._warning, self._tip]
         if self.is_pending and not self._error:
             parts.insert(0, "Not set yet: Set writes it, Get brings the active value back.")
-        self.setToolTip("\n".join(part for part in parts if part))
-        self.setAccessibleDescription(self.toolTip())
+        said = [part for part in parts if part]
+        self.setToolTip(plain_tip("\n".join([self.text(), *said])))
+        self.setAccessibleDescription("\n".join(said))
+        self._fit()
         self.update()
 
     # Looks
 
     def sizeHint(self) -> QSize:
-        metrics = self.fontMetrics()
-        return QSize(metrics.horizontalAdvance("0.0000") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
+        return self._size_of(_FIRST_TEXT)
 
     def minimumSizeHint(self) -> QSize:
+        return self._size_of(_LEAST_TEXT)
+
+    def _size_of(self, text: str) -> QSize:
         metrics = self.fontMetrics()
-        return QSize(metrics.horizontalAdvance("0.00") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
+        width = metrics.horizontalAdvance(text) + 2 * _PADDING + 2 if self._width is None else self._width
+        return QSize(width, metrics.height() + _HEIGHT_BEYOND_TEXT)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._on_placed()
+
+    def moveEvent(self, event: QMoveEvent) -> None:
+        super().moveEvent(event)
+        self._on_placed()
+
+    def _on_placed(self) -> None:
+        if not self._is_growing:
+            self._cell = self.geometry()
+            self._fit()
+
+    def focusInEvent(self, event: QFocusEvent) -> None:
+        super().focusInEvent(event)
+        self._fit()
+
+    def focusOutEvent(self, event: QFocusEvent) -> None:
+        super().focusOutEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        """Lie over the neighbours, to the left first, while the text has the keyboard and more digits than room."""
+        wanted, whole = QRect(self._cell), self.parentWidget()
+        needed = self.fontMetrics().horizontalAdvance(self.text()) + 2 * _PADDING + _CURSOR
+        if self.hasFocus() and needed > wanted.width() and whole is not None:
+            wanted.setLeft(max(0, wanted.right() - needed + 1))
+            wanted.setWidth(min(needed, whole.width() - wanted.left()))
+            self.raise_()
+        if wanted != self.geometry():
+            self._is_growing = True
+            self.setGeometry(wanted)
+            self._is_growing = False
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
@@ -138,7 +191,7 @@ class NumberCell(QLineEdit):
         text = self.text()
         if not self.has_own_text:
             text = fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room)
-        elif metrics.horizontalAdvance(text) > room:
+        if metrics.horizontalAdvance(text) > room:
             text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
         painter.setFont(self.font())
         painter.setPen(QColor(*(colours.idle_ink if self._is_idle and not self.is_pending else colours.ink)))

@@ -10,6 +10,7 @@ from PySide6.QtGui import (
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QWidget
 
@@ -19,10 +20,10 @@ from qovr_app.widgets.bursts import Bursts
 from qovr_app.widgets.clipboard import pasted_cells
 from qovr_app.widgets.number_cell import NumberCell
 from qovr_core import QovrError
-from qovr_core.number_texts import number_text
+from qovr_core.number_texts import number_text, stepped
 
-_STEP_DECIMALS = 12
-"""A step is rounded to this many decimals, so that 0.1 + 0.2 is 0.3."""
+_NOTCH = 120
+"""What Qt counts for one notch of a wheel; trackpads and fine wheels send parts of it."""
 
 _STEPS: dict[int, float] = {
     Qt.Key.Key_Up: 1.0,
@@ -42,7 +43,7 @@ class NumberField(NumberCell):
     ----------
     name : what messages call the field
     check : returns a typed value as the number it is, or raises a QovrError; its arguments are value and name
-    step : by how much the arrow keys change the number
+    step : by how much an arrow key changes a number, which may depend on how large it is
 
     Signals
     -------
@@ -60,11 +61,16 @@ class NumberField(NumberCell):
     block_pasted = Signal()
 
     def __init__(
-        self, name: str, check: Callable[[object, str], float], step: float, parent: QWidget | None = None
+        self,
+        name: str,
+        check: Callable[[object, str], float],
+        step: Callable[[float], float],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._name, self._check, self._step_size = name, check, step
         self._bursts = Bursts(self)
+        self._turned = 0
         self._selects_on_release = False
         self.textChanged.connect(self._on_text_changed)
         self.editingFinished.connect(self.commit)
@@ -176,14 +182,25 @@ class NumberField(NumberCell):
 
     def _step(self, count: float) -> None:
         try:
-            stepped = round(self.typed() + count * self._step_size, _STEP_DECIMALS)
-            value = self._check(stepped, self._name)
+            before = self.typed()
+            value = self._check(stepped(before, count, self._step_size(before)), self._name)
         except QovrError as error:
             self.refused.emit(str(error))
             return
         self._put(value)
         self.selectAll()
         self.value_edited.emit(value, self._bursts.step())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Step while the field has the keyboard; else the wheel is for what scrolls around it."""
+        if not self.hasFocus() or event.modifiers():
+            event.ignore()
+            return
+        self._turned += event.angleDelta().y()
+        count = int(self._turned / _NOTCH)
+        self._turned -= count * _NOTCH
+        if count:
+            self._step(count)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         super().mouseReleaseEvent(event)

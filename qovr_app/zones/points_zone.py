@@ -18,8 +18,8 @@ from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CoordinatePlace, Zone
+from qovr_core.number_texts import natural_step
 
-_STEP = 0.01
 _ROWS = range(NET_SIZE - 1, -1, -1)
 """Rows from the top of the window down."""
 
@@ -54,6 +54,9 @@ class PointsZone(FieldZone):
         place = self._place
         return place if isinstance(place, CoordinatePlace) else CoordinatePlace(0, 0, 0)
 
+    def _step(self, coordinate: float) -> float:
+        return natural_step(coordinate, self._store.state.draft.net_size)
+
     def _points(self) -> list[list[CoordinatePlace]]:
         return [[CoordinatePlace(i, j, axis) for axis in range(3)] for i in range(NET_SIZE) for j in range(NET_SIZE)]
 
@@ -85,7 +88,7 @@ class PointsZone(FieldZone):
             for j in range(NET_SIZE):
                 for axis in range(3):
                     place = CoordinatePlace(i, j, axis)
-                    field = self._make_field(place, _STEP)
+                    field = self._make_field(place, self._step)
                     field.set_tip(
                         f"P {i},{j}: the {AXES[axis]} coordinate of the control point in row {i}, column {j}."
                     )

@@ -117,7 +117,7 @@ class FieldZone(QFrame):
 
     _check: Callable[[object, str], float]
 
-    def _make_field(self, place: Place, step: float) -> NumberField:
+    def _make_field(self, place: Place, step: Callable[[float], float]) -> NumberField:
         field = NumberField(label(place), self._check, step, self)
         field.setObjectName(object_name(place))
         field.setAccessibleName(spoken(place))
