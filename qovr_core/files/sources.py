@@ -33,5 +33,5 @@ def read_source(source: str) -> Document:
     entry = FORMATS.get(path.suffix.lower())
     if entry is None or entry.reader is None:
         expected = f"a file of {', '.join(readable_suffixes())}, or {PRESET_PREFIX}NAME"
-        raise SourceError(f"{source}: is no source; expected {expected}")
+        raise SourceError(f"{source or 'an empty name'}: is no source; expected {expected}")
     return entry.reader(path)
