@@ -31,7 +31,7 @@ from qovr_app.window.recovery_offer import RecoveryOffer
 from qovr_app.window.shell import Shell
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
-from qovr_core.files import readable_suffixes
+from qovr_core.files import source_suffixes
 from qovr_core.files.sources import PRESET_PREFIX
 
 if TYPE_CHECKING:
@@ -192,4 +192,4 @@ def _facts_text(state: EditorState) -> str:
 def _dropped_source(event: QDropEvent) -> str:
     """Return the first dropped file that can be opened; empty where there is none."""
     paths = (url.toLocalFile() for url in event.mimeData().urls())
-    return next((path for path in paths if path.lower().endswith(readable_suffixes())), "")
+    return next((path for path in paths if path.lower().endswith(source_suffixes())), "")
