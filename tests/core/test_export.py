@@ -121,8 +121,9 @@ def test_what_a_format_cannot_hold_is_refused_before_any_work(tmp_path):
 def test_other_names_of_formats_are_known(tmp_path, capsys):
     outs = [tmp_path / name for name in ("a.stp", "a.step", "a.igs", "a.iges", "A.STP")]
     assert main(["export", "paper:fig5", *map(str, outs)]) == 0
-    stp, step, igs, iges, _ = (out.read_text().replace(out.name, "a") for out in outs)
-    assert (len(stp), len(igs)) == (len(step), len(iges))
+    stp, step, igs, iges, _ = (out.read_text() for out in outs)
+    assert stp.partition("DATA;")[2] == step.partition("DATA;")[2]
+    assert igs.partition("128 ")[2] == iges.partition("128 ")[2]
     with pytest.raises(SourceError, match=r"a\.xlsm: '\.xlsm' is only read, not written; expected \.xlsx"):
         export(DOCUMENT, tmp_path / "a.xlsm")
     export(DOCUMENT, tmp_path / "a.xlsx")
