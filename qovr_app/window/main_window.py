@@ -68,8 +68,9 @@ class MainWindow(QMainWindow):
         self.parts = Layout(self.store, self.worker, self)
         folder, commit = Folder(preferences), self.parts.commit_typed
         self._documents = DocumentShell(self.store, self, folder, commit)
+        save_view = self.parts.view_frame.save_figure
         exports = ExportShell(
-            self.store, self, folder, self.worker, save_view=self.parts.view_frame.save_figure, commit_typed=commit
+            self.store, self, folder, self.worker, preferences, save_view=save_view, commit_typed=commit
         )
         self._offer = RecoveryOffer(self._documents, self.store.dispatch, self)
         parts = LayoutShell(self.store, self.parts, self)
