@@ -100,6 +100,7 @@ class ExportChoices(QWidget):
     def _choice(self, name: str, spoken: str, kind: type[_Kind], chosen: _Kind | None) -> QComboBox:
         """Return a list of all values of a kind; each item's data is the value's text."""
         box = named(QComboBox(self), name, spoken)
+        guard_from_wheels(box)
         for value in kind:
             box.addItem(value.value, value.value)
         box.setCurrentIndex(box.findData(chosen.value) if chosen else 0)

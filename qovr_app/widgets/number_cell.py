@@ -2,26 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRect, QRectF, QSize, Qt
-from PySide6.QtGui import QColor, QEnterEvent, QFocusEvent, QMoveEvent, QPainter, QPaintEvent, QResizeEvent
-from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QRectF, Qt
+from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent
+from PySide6.QtWidgets import QWidget
 
-from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.cell import Marks, paint_cell
+from qovr_app.widgets.growing_line import PADDING, GrowingLine
 from qovr_app.widgets.plain import plain_tip
-from qovr_core.number_texts import MORE_DIGITS, fitted_text
-
-_PADDING = 4
-_HEIGHT_BEYOND_TEXT = 4
-_FIRST_TEXT, _LEAST_TEXT = "-0.0000", f"-1{MORE_DIGITS}e{MORE_DIGITS}"
-"""What a field has room for at first, and at least: a sign, and the digits that say how large a number is."""
-
-_CURSOR = 3
-"""Room for the cursor behind the last digit, or the line edit scrolls the first one away."""
+from qovr_core.number_texts import fitted_text
 
 
-class NumberCell(QLineEdit):
+class NumberCell(GrowingLine):
     """Shows a number with as many digits as fit, and paints its state behind it.
 
     Text that differs from that of the number is the field's own.
@@ -32,16 +24,8 @@ class NumberCell(QLineEdit):
         self._value, self._shown = 0.0, ""
         self._error = self._warning = self._tip = ""
         self._is_unset = self._is_idle = self._is_marked = False
-        self._width: int | None = None
-        self._cell = self.geometry()
-        self._is_growing = False
-        self.setFrame(False)
         self.setAcceptDrops(False)  # a file dropped here is meant for the window
-        self.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.setTextMargins(_PADDING - 2, 0, _PADDING - 2, 0)
         self.setPalette(see_through(self.palette()))
-        self.setFont(number_font(self.font()))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     # The number
 
@@ -71,11 +55,6 @@ class NumberCell(QLineEdit):
     def is_marked(self) -> bool:
         """Whether the number belongs to what is selected elsewhere."""
         return self._is_marked
-
-    def set_width(self, width: int) -> None:
-        """Give the field a width of its own; without, it fills what it is given."""
-        self._width = width
-        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
     def set_tip(self, text: str) -> None:
         """Say what the number means."""
@@ -107,55 +86,10 @@ class NumberCell(QLineEdit):
         said = [part for part in parts if part]
         self.setToolTip(plain_tip("\n".join([self.text(), *said])))
         self.setAccessibleDescription("\n".join(said))
-        self._fit()
+        self.fit()
         self.update()
 
     # Looks
-
-    def sizeHint(self) -> QSize:
-        return self._size_of(_FIRST_TEXT)
-
-    def minimumSizeHint(self) -> QSize:
-        return self._size_of(_LEAST_TEXT)
-
-    def _size_of(self, text: str) -> QSize:
-        metrics = self.fontMetrics()
-        width = metrics.horizontalAdvance(text) + 2 * _PADDING + 2 if self._width is None else self._width
-        return QSize(width, metrics.height() + _HEIGHT_BEYOND_TEXT)
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._on_placed()
-
-    def moveEvent(self, event: QMoveEvent) -> None:
-        super().moveEvent(event)
-        self._on_placed()
-
-    def _on_placed(self) -> None:
-        if not self._is_growing:
-            self._cell = self.geometry()
-            self._fit()
-
-    def focusInEvent(self, event: QFocusEvent) -> None:
-        super().focusInEvent(event)
-        self._fit()
-
-    def focusOutEvent(self, event: QFocusEvent) -> None:
-        super().focusOutEvent(event)
-        self._fit()
-
-    def _fit(self) -> None:
-        """Lie over the neighbours, to the left first, while the text has the keyboard and more digits than room."""
-        wanted, whole = QRect(self._cell), self.parentWidget()
-        needed = self.fontMetrics().horizontalAdvance(self.text()) + 2 * _PADDING + _CURSOR
-        if self.hasFocus() and needed > wanted.width() and whole is not None:
-            wanted.setLeft(max(0, wanted.right() - needed + 1))
-            wanted.setWidth(min(needed, whole.width() - wanted.left()))
-            self.raise_()
-        if wanted != self.geometry():
-            self._is_growing = True
-            self.setGeometry(wanted)
-            self._is_growing = False
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
@@ -186,7 +120,7 @@ class NumberCell(QLineEdit):
 
     def _paint_text(self) -> None:
         colours, painter = theme_in_force(), QPainter(self)
-        room = self.width() - 2 * _PADDING
+        room = self.width() - 2 * PADDING
         metrics = self.fontMetrics()
         text = self.text()
         if not self.has_own_text:
@@ -196,7 +130,7 @@ class NumberCell(QLineEdit):
         painter.setFont(self.font())
         painter.setPen(QColor(*(colours.idle_ink if self._is_idle and not self.is_pending else colours.ink)))
         painter.drawText(
-            self.rect().adjusted(_PADDING, 0, -_PADDING, 0),
+            self.rect().adjusted(PADDING, 0, -PADDING, 0),
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
             text,
         )

@@ -15,7 +15,8 @@ class NumberBox(QDoubleSpinBox):
 
     def __init__(self, least: float, most: float, decimals: int, value: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        _prepare(self)
+        guard_from_wheels(self)
+        self.editingFinished.connect(lambda: self.lineEdit().setText(self.textFromValue(self.value())))
         self.setDecimals(decimals)
         self.setRange(least, most)
         self.setValue(value)
@@ -39,7 +40,8 @@ class CountBox(QSpinBox):
 
     def __init__(self, least: int, most: int, value: int, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        _prepare(self)
+        guard_from_wheels(self)
+        self.editingFinished.connect(lambda: self.lineEdit().setText(self.textFromValue(self.value())))
         self.setRange(least, most)
         self.setValue(value)
 
@@ -58,12 +60,6 @@ class CountBox(QSpinBox):
         if isinstance(value, float) and not value.is_integer():
             return QValidator.State.Intermediate, text, position
         return _state_of(text, self.minimum(), self.maximum()), text, position
-
-
-def _prepare(box: NumberBox | CountBox) -> None:
-    """Let a box be turned with the keyboard alone, and show its value again where it was left with what is none."""
-    guard_from_wheels(box)
-    box.editingFinished.connect(lambda: box.lineEdit().setText(box.textFromValue(box.value())))
 
 
 def _state_of(text: str, least: float, most: float) -> QValidator.State:

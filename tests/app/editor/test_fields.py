@@ -21,6 +21,7 @@ from qovr_app.laboratory.panels import PANELS
 from qovr_app.state.intents import ValuesEdited
 from qovr_app.state.looking_intents import PanelShown
 from qovr_core.edits import CoordinatePlace
+from qovr_core.files.options import ExportOptions
 from qovr_core.presets import preset
 
 LONG = "control_points.P_2_2.z"
@@ -56,7 +57,10 @@ def turnable(parent):
 
 
 def test_a_wheel_changes_nothing_that_has_not_the_keyboard(editor, tmp_path):
-    dialogs = [FigureDialog(tmp_path / "x.png", "lines", editor.window), ExportChoices(editor.document)]
+    dialogs = [
+        FigureDialog(tmp_path / "x.png", "lines", editor.window),
+        ExportChoices(editor.document, ExportOptions()),
+    ]
     for dialog in dialogs:
         dialog.show()
     seen = 0
