@@ -61,7 +61,7 @@ def fitted_text(value: float, fits: Callable[[str], bool]) -> str:
         power = f"e{int(exponent)}" if exponent else ""
         if fits(text := f"{mantissa}{MORE_DIGITS}{power}"):
             return text
-    return f"{mantissa}{MORE_DIGITS}{f'e{MORE_DIGITS}' * bool(exponent)}"
+    return f"{mantissa}{'e' * bool(exponent)}{MORE_DIGITS}"
 
 
 def block_text(rows: Sequence[Sequence[float | str]]) -> str:

@@ -11,13 +11,13 @@ from PySide6.QtWidgets import (
     QDialogButtonBox,
     QFileDialog,
     QFormLayout,
-    QLabel,
     QWidget,
 )
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.state.figure_options import SUFFIXES, FigureOptions
 from qovr_app.widgets.parts import named
+from qovr_app.widgets.plain import plain_label
 from qovr_app.widgets.spin_boxes import CountBox, NumberBox
 from qovr_app.widgets.wheel import guard_from_wheels
 
@@ -43,7 +43,7 @@ class FigureDialog(QDialog):
         self._height = self._length("figure.height", _FIRST.height)
         self._dpi = named(CountBox(30, 2400, round(_FIRST.dpi or 300), self), "figure.dpi")
         self._transparent = named(QCheckBox("Transparent background (PNG and SVG)", self), "figure.transparent")
-        self._note = named(QLabel(self), "figure.note")
+        self._note = named(plain_label("", self), "figure.note")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self._choose_file)
         buttons.rejected.connect(self.reject)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 from functools import partial
 
 from PySide6.QtWidgets import QVBoxLayout, QWidget
@@ -92,7 +93,7 @@ class ComparisonPanel(WorkingPanel):
 
     def _refuse(self, error: QovrError) -> None:
         self._table.clear_measures()
-        self._state.setText(f"Nothing to measure: {error}.")
+        self._state.setText(html.escape(f"Nothing to measure: {error}."))
 
     def _copy(self) -> None:
         if self._wanted is not None:

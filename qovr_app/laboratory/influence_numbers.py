@@ -131,8 +131,12 @@ class FactTable(QuietTable):
                 if item.text() != text or item.toolTip() != fact.tip:
                     item.setText(text)
                     item.setToolTip(fact.tip)
-            role = QPalette.ColorRole.PlaceholderText
-            self.item(row, 0).setForeground(self.palette().brush(role))
+        self.style_headers()
+
+    def style_headers(self) -> None:
+        """Write the names, which head their lines, in the quiet ink of the theme in force."""
+        for row in range(self.rowCount()):
+            self.item(row, 0).setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))
 
     def rows_to_copy(self) -> Rows:
         """Return the lines that are selected, or all, as they are shown."""

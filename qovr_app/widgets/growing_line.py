@@ -9,11 +9,11 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 from qovr_app.style.fonts import number_font
 from qovr_core.number_texts import MORE_DIGITS
 
-PADDING = 4
-"""Between the text and the edges of its cell, in logical pixels."""
+PADDING, LEAST_PADDING = 4, 2
+"""Between the text and the edges of its cell, in logical pixels; the least one where digits have to be left out."""
 
 _HEIGHT_BEYOND_TEXT = 4
-_FIRST_TEXT, _LEAST_TEXT = "-0.0000", f"-1{MORE_DIGITS}e{MORE_DIGITS}"
+_FIRST_TEXT, _LEAST_TEXT = "0.0000", f"-0.0{MORE_DIGITS}"
 """What a field has room for at first, and at least: a sign, and the digits that say how large a number is."""
 
 _CURSOR = 3
@@ -40,14 +40,14 @@ class GrowingLine(QLineEdit):
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
 
     def sizeHint(self) -> QSize:
-        return self._size_of(_FIRST_TEXT)
+        return self._size_of(_FIRST_TEXT, PADDING + 1)
 
     def minimumSizeHint(self) -> QSize:
-        return self._size_of(_LEAST_TEXT)
+        return self._size_of(_LEAST_TEXT, LEAST_PADDING)
 
-    def _size_of(self, text: str) -> QSize:
+    def _size_of(self, text: str, padding: int) -> QSize:
         metrics = self.fontMetrics()
-        width = metrics.horizontalAdvance(text) + 2 * PADDING + 2 if self._width is None else self._width
+        width = metrics.horizontalAdvance(text) + 2 * padding if self._width is None else self._width
         return QSize(width, metrics.height() + _HEIGHT_BEYOND_TEXT)
 
     def resizeEvent(self, event: QResizeEvent) -> None:

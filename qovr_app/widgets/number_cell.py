@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.cell import Marks, paint_cell
-from qovr_app.widgets.growing_line import PADDING, GrowingLine
+from qovr_app.widgets.growing_line import LEAST_PADDING, PADDING, GrowingLine
 from qovr_app.widgets.plain import plain_tip
 from qovr_core.number_texts import fitted_text
 
@@ -120,9 +120,9 @@ class NumberCell(GrowingLine):
 
     def _paint_text(self) -> None:
         colours, painter = theme_in_force(), QPainter(self)
-        room = self.width() - 2 * PADDING
-        metrics = self.fontMetrics()
-        text = self.text()
+        metrics, text = self.fontMetrics(), self.text()
+        padding = PADDING if metrics.horizontalAdvance(text) <= self.width() - 2 * PADDING else LEAST_PADDING
+        room = self.width() - 2 * padding
         if not self.has_own_text:
             text = fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room)
         if metrics.horizontalAdvance(text) > room:
@@ -130,7 +130,7 @@ class NumberCell(GrowingLine):
         painter.setFont(self.font())
         painter.setPen(QColor(*(colours.idle_ink if self._is_idle and not self.is_pending else colours.ink)))
         painter.drawText(
-            self.rect().adjusted(PADDING, 0, -PADDING, 0),
+            self.rect().adjusted(padding, 0, -padding, 0),
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
             text,
         )

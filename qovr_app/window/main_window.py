@@ -15,6 +15,7 @@ from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.state.requests import SourceAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
+from qovr_app.widgets.plain import title_text
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
@@ -120,7 +121,7 @@ class MainWindow(QMainWindow):
         if after.differs(before, "document", "evaluation"):
             self._facts.setText(_facts_text(after))
         if after.differs(before, "history", "file"):
-            self.setWindowTitle(f"{after.file.title}[*] - {NAME}")
+            self.setWindowTitle(f"{title_text(after.file.title)}[*] - {NAME}")
             self.setWindowModified(after.is_changed)
 
     # Coming and going
