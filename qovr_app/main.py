@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from qovr_app.window.screenshot import add_screenshot_command
 from qovr_core import QovrError, cli
-from qovr_core.files.sources import PRESET_PREFIX, read_source, readable_suffixes
+from qovr_core.files.sources import PRESET_PREFIX, read_source, source_suffixes
 
 if TYPE_CHECKING:
     from qovr_app.window.main_window import MainWindow
@@ -97,6 +97,6 @@ def _check_call(source: str) -> None:
     ------
     SourceError : the word names no file, and nothing that could be one
     """
-    is_meant = source.startswith(PRESET_PREFIX) or Path(source).suffix.lower() in readable_suffixes()
+    is_meant = source.startswith(PRESET_PREFIX) or Path(source).suffix.lower() in source_suffixes()
     if not is_meant and not os.path.lexists(source):
         read_source(source)

@@ -1,9 +1,10 @@
-"""Numbers as people read them: one rule for each purpose, and a true minus sign wherever a text is only looked at."""
+"""Numbers as people read and step them: one rule for each purpose, and a true minus wherever a text is only read."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
+from decimal import Decimal
 
 MINUS = "\N{MINUS SIGN}"
 MORE_DIGITS = "…"
@@ -20,6 +21,22 @@ _LONGEST_FIXED, _SMALLEST_FIXED = 1e6, 1e-5
 """Ticks from this size on, or closer together than that, are written with exponents."""
 
 _MOST_DECIMALS = 7
+
+_PLACES_OF_SIZE = 2
+"""A step is a power of ten this many decimal places below the size of what it moves in: about a hundredth of it."""
+
+_PLACES_OF_NUMBER = 14
+"""And at most this many places below the number's own first digit: fifteen digits always tell doubles apart."""
+
+_SMALLEST_POWER = -323
+"""The smallest power of ten that is not 0."""
+
+_DECIMAL_DIGITS = 28
+"""Digits that decimal arithmetic keeps by default; a double has 17 at most."""
+
+_PLACES_KEPT = 10
+"""Decimal places below the step that a stepped number keeps; what is smaller came from rounding."""
+
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -96,6 +113,51 @@ def tick_texts(positions: Iterable[float]) -> list[str]:
     return [fixed_text(value, decimals) for value in values]
 
 
+def natural_step(value: float, scale: float) -> float:
+    """Return by how much one step of a key or wheel changes a number: a power of ten that means something beside it.
+
+    Parameters
+    ----------
+    value : the number; far from 0, the step is no smaller than what its digits show
+    scale : the size of what the number moves in, such as the extent of a net; where it is 0, the number's own size
+
+    Examples
+    --------
+    >>> natural_step(2.5, scale=4), natural_step(2.5, scale=3e-7), natural_step(-4e11, scale=1e-3)
+    (0.01, 1e-09, 0.001)
+    """
+    power = _power(scale or value or 1.0) - _PLACES_OF_SIZE
+    if value:
+        power = max(power, _power(value) - _PLACES_OF_NUMBER)
+    return float(f"1e{max(power, _SMALLEST_POWER)}")
+
+
+def knot_step(knot: float) -> float:
+    """Return the natural step of a number strictly between 0 and 1; one step reaches no end 1e-12 away.
+
+    Examples
+    --------
+    >>> knot_step(0.5), knot_step(0.04), knot_step(0.999)
+    (0.01, 0.001, 0.0001)
+    """
+    return natural_step(knot, scale=min(1.0, 10 * min(knot, 1 - knot)))
+
+
+def stepped(value: float, count: float, step: float) -> float:
+    """Return a number changed by so many steps, counted in decimals: 0.1 and 0.2 are 0.3.
+
+    Parameters
+    ----------
+    value : the number, which keeps its own digits as far as they count beside the step
+    count : how many steps, negative downwards
+    step : a power of ten, as ``natural_step`` gives it
+    """
+    exact = Decimal(repr(float(value))) + Decimal(repr(float(count))) * Decimal(repr(float(step)))
+    places = max(_PLACES_KEPT - _power(step), 0)
+    kept = round(exact, places) if exact.adjusted() + places < _DECIMAL_DIGITS else exact
+    return float(kept) + 0.0  # never minus zero
+
+
 def true_minus(text: str) -> str:
     """Return a text with every hyphen a minus sign."""
     return text.replace("-", MINUS)
@@ -104,3 +166,8 @@ def true_minus(text: str) -> str:
 def _short_exponent(text: str) -> str:
     """Return a text without the plus sign and the leading zero of its exponent."""
     return text.replace("e+0", "e").replace("e+", "e").replace("e-0", "e-")
+
+
+def _power(value: float) -> int:
+    """Return the power of ten of a number's first digit; what misses a power by rounding is that power."""
+    return Decimal(f"{value:.12g}").adjusted()

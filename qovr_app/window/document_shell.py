@@ -27,7 +27,7 @@ from qovr_app.window.sources import (
 )
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
-from qovr_core.files import readable_suffixes
+from qovr_core.files import source_suffixes
 
 
 class DocumentShell:
@@ -61,7 +61,7 @@ class DocumentShell:
 
     def _ask_for_source(self, _request: requests.OpenAsked) -> None:
         """Ask for a file and open it."""
-        kinds = " ".join(f"*{suffix}" for suffix in readable_suffixes())
+        kinds = " ".join(f"*{suffix}" for suffix in source_suffixes())
         filters = f"Documents and workbooks ({kinds})"
         name, _ = QFileDialog.getOpenFileName(self._window, "Open", str(self._folder.path), filters)
         if name:

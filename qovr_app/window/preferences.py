@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from contextlib import suppress
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
@@ -12,6 +13,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from qovr_app.state.display import ColourRange, DisplaySettings
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core.fields import FIELDS
+from qovr_core.files import ExportOptions
 
 _ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
 _MOST_RECENT = 9
@@ -19,6 +21,9 @@ _MOST_RECENT = 9
 
 _FORGOTTEN = ("theme", "fixed_range")
 """Display settings that follow the system, or belong to one document, and are not remembered."""
+
+_CONVENTIONS = ("unit", "up", "csv_dialect")
+"""The choices of an export that are of a person's other programs, and not of one document."""
 
 _SET_ASIDE = ".damaged"
 """What is added to the name of a file that cannot be read."""
@@ -74,6 +79,21 @@ class Preferences:
         """Remember a state of a window or splitter."""
         self._write(f"window/{name}", state)
 
+    @property
+    def conventions(self) -> ExportOptions:
+        """The unit, axis and dialect with which a surface was last exported."""
+        chosen = ExportOptions()
+        for name in _CONVENTIONS:
+            remembered: dict[str, Any] = {name: self._store.value(f"export/{name}")}
+            with suppress(ValueError):
+                chosen = replace(chosen, **remembered) if remembered[name] else chosen
+        return chosen
+
+    @conventions.setter
+    def conventions(self, chosen: ExportOptions) -> None:
+        for name in _CONVENTIONS:
+            self._write(f"export/{name}", str(getattr(chosen, name) or ""))
+
     def display(self, first: DisplaySettings) -> DisplaySettings:
         """Return ``first`` with every remembered choice in it."""
         chosen: dict[str, Any] = {}
@@ -108,8 +128,9 @@ class Preferences:
         return value if isinstance(value, str) and "\0" not in value else ""
 
     def _write(self, key: str, value: object) -> None:
-        self._store.setValue(key, value)
-        self._store.sync()
+        if self._store.value(key) != value:
+            self._store.setValue(key, value)
+            self._store.sync()
 
     def _put_right(self) -> str:
         """Set a damaged file aside; return what is wrong with the file, if anything is."""
