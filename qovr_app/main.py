@@ -17,9 +17,6 @@ if TYPE_CHECKING:
 
 _EDIT = "edit"
 
-_SIGNAL_CODES = 128
-"""What a shell adds to the number of the signal that has ended a program."""
-
 
 def main() -> None:
     """Run the command line and leave with its exit code."""
@@ -79,7 +76,7 @@ def _edit(arguments: argparse.Namespace) -> int:
     ends, codes = EndSignals(application), []
 
     def end(number: int) -> None:
-        codes.append(_SIGNAL_CODES + number)
+        codes.append(cli.SIGNALLED + number)
         window.end()
         application.exit()
 
