@@ -1,4 +1,7 @@
-"""The command ``qovr`` with something going on in its window, to be sent signals. It says ``ready`` when that goes on."""
+"""The command ``qovr`` with something going on in its window, to be sent signals.
+
+It says ``ready`` when that goes on.
+"""
 
 import sys
 
