@@ -89,7 +89,13 @@ def test_damaged_recovery_files_are_set_aside_and_the_others_offered(make_editor
 
 @pytest.mark.parametrize(
     "text",
-    ["1\npython3\nhere\n", f"{os.getpid()}\nsomething else\nhere\n", "4194303\npython3\nanother-computer\n", "", "\x00"],
+    [
+        "1\npython3\nhere\n",
+        f"{os.getpid()}\nsomething else\nhere\n",
+        "4194303\npython3\nanother-computer\n",
+        "",
+        "\x00",
+    ],
     ids=["first process", "reused number", "other computer", "empty", "binary"],
 )
 def test_a_stale_lock_keeps_nothing_back(make_editor, text):
