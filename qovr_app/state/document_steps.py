@@ -55,7 +55,7 @@ def zone_set(state: EditorState, intent: intents.ZoneSet) -> EditorState:
 def pending_set(state: EditorState, intent: intents.PendingSet) -> EditorState:
     draft = state.pending
     state = replace(state, draft=draft, texts=_still_typed(state.texts, state.draft, draft))
-    return _set(state, "Set pending values", draft, intent)
+    return with_document(state, "Set pending values", draft, intent)
 
 
 def zone_read(state: EditorState, intent: intents.ZoneRead) -> EditorState:
