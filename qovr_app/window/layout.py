@@ -101,7 +101,6 @@ class Layout(LineSplitter):
     def restore_layout(self, name: str, state: QByteArray) -> None:
         """Bring a splitter into a state it had."""
         self._splitters[name].restoreState(state)
-        self._splitters["columns"].setOrientation(self._orientation)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -121,7 +120,10 @@ class Layout(LineSplitter):
         for zone in self._zones.values():
             zone.setSizePolicy(policy.Preferred, policy.Minimum if is_stacked else policy.Preferred)
         columns.setSizes([_MIDDLE, _MIDDLE] if is_stacked else [_LEFT, _MIDDLE])
-        width = _MIDDLE + self._area.verticalScrollBar().sizeHint().width() if is_stacked else _LEFT + _MIDDLE
+        for name in ("left", "middle"):
+            self._splitters[name].setSizes([self.points.sizeHint().height(), _LOWER])
+        needed = max(columns.minimumSizeHint().width(), _MIDDLE if is_stacked else _LEFT + _MIDDLE)
+        width = needed + self._area.verticalScrollBar().sizeHint().width() * is_stacked
         self.setSizes([width, max(self.width() - width, width)])
 
     def _arrange(self) -> None:
