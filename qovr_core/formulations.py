@@ -126,7 +126,8 @@ class Formulation(Record):
         (..., 3) float64, above 0, for x, y and z
         """
         summands = self.summands or self._numerical_summands
-        return np.maximum(NOISE * summands(net, row_knots, column_knots), LEAST_NOISE)
+        rounding: Array = np.maximum(NOISE * summands(net, row_knots, column_knots), LEAST_NOISE)
+        return rounding
 
     def _numerical_summands(self, net: Array, row_knots: Array, column_knots: Array) -> Array:
         """Return how far the surfaces move in all when each point is doubled, as often as there are points."""
@@ -136,7 +137,8 @@ class Formulation(Record):
             doubled = net.copy()
             doubled[..., i, j, :] *= 2
             total += np.abs(self.build(doubled, row_knots, column_knots) - before)
-        return net.shape[-3] * net.shape[-2] * np.asarray(total.max(axis=(-2, -3)))
+        moved: Array = net.shape[-3] * net.shape[-2] * total.max(axis=(-2, -3))
+        return moved
 
     def knot_slope(self, net: Array, row_knots: Array, column_knots: Array, place: KnotPlace) -> Array:
         """Return the derivative of the raw surface with respect to one knot, as patch coefficients (7, 7, 3).

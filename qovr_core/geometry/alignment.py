@@ -54,7 +54,7 @@ def align(raw_box: Array, control_box: Array, rounding: npt.ArrayLike = 0.0) -> 
     """
     raw_extent = raw_box[:, 1] - raw_box[:, 0]
     control_extent = control_box[:, 1] - control_box[:, 0]
-    is_flat = raw_extent <= rounding
+    is_flat = raw_extent <= np.asarray(rounding)
     scale = np.where(is_flat, 1.0, control_extent / np.where(is_flat, 1.0, raw_extent))
     matrix = np.diag([*scale, 1.0])
     matrix[:3, 3] = control_box[:, 0] - scale * raw_box[:, 0]

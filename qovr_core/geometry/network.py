@@ -77,8 +77,8 @@ def product_summands(
     ``network_curves``, and ``entering_rows`` that of ``product_slope``.
     """
     rows, columns = _curve_summands(net, row_knots, column_knots, kernel_decimals)
-    along_u: Array = rows[..., entering_rows, :].sum(axis=-2)
-    return along_u * columns.sum(axis=-2)
+    product: Array = rows[..., entering_rows, :].sum(axis=-2) * columns.sum(axis=-2)
+    return product
 
 
 def boolean_sum_summands(net: Array, row_knots: Array, column_knots: Array) -> Array:
@@ -91,8 +91,9 @@ def boolean_sum_summands(net: Array, row_knots: Array, column_knots: Array) -> A
     means = np.stack([row_knots.mean(axis=-2), column_knots.mean(axis=-2)])
     along_u, along_v = _UNSEEN * weight_summands(means).max(axis=(-1, -2))[..., None]
     points = net.shape[-2] * net.shape[-3] * np.abs(net).max(axis=(-2, -3))
-    of_curves: Array = np.maximum(along_v, 1) * rows.sum(axis=-2) + np.maximum(along_u, 1) * columns.sum(axis=-2)
-    return of_curves + np.maximum(along_u * along_v / _UNSEEN, 1) * points
+    of_curves = np.maximum(along_v, 1) * rows.sum(axis=-2) + np.maximum(along_u, 1) * columns.sum(axis=-2)
+    summands: Array = of_curves + np.maximum(along_u * along_v / _UNSEEN, 1) * points
+    return summands
 
 
 def _curve_summands(

@@ -24,7 +24,7 @@ PLACES = [(Fraction(0), Fraction(1)), (Fraction(1, 4), Fraction(3, 4)), (Fractio
 
 def moved_paper(formulation, x=-2, y=-2, z=0.0):
     document = preset("fig5").document
-    return replace(document, control_points=document.control_points + [x, y, z], formulation=formulation)
+    return replace(document, control_points=document.control_points + np.array([x, y, z]), formulation=formulation)
 
 
 def exact_point(document, u, v):
