@@ -241,4 +241,5 @@ def field_rounding(field: Field, points: Array) -> float:
     flat = points.reshape(-1, 3)
     largest, extent = float(np.abs(flat).max()), hypot(*np.ptp(flat, axis=0))
     size = extent or largest or 1.0
-    return _ROUNDING * (largest / size or 1.0) * size**field.length_power
+    with np.errstate(over="ignore", under="ignore"):  # a curvature of something minute is beyond all numbers
+        return float(_ROUNDING * (largest / size or 1.0) * np.float64(size) ** field.length_power)
