@@ -1,11 +1,9 @@
-"""Numbers as people read them: one rule for each purpose, and a true minus sign wherever a text is only looked at."""
+"""Numbers as people read and step them: one rule for each purpose, and a true minus wherever a text is only read."""
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
 from decimal import Decimal
 
 MINUS = "\N{MINUS SIGN}"
@@ -23,16 +21,22 @@ _LONGEST_FIXED, _SMALLEST_FIXED = 1e6, 1e-5
 """Ticks from this size on, or closer together than that, are written with exponents."""
 
 _MOST_DECIMALS = 7
-_FAR = 10_000
-"""Ticks this many steps from 0 have the digits that they share set apart."""
 
-_PLAIN_POWERS = range(-4, 6)
-"""Powers of ten of ticks that are written in full."""
+_PLACES_OF_SIZE = 2
+"""A step is a power of ten this many decimal places below the size of what it moves in: about a hundredth of it."""
 
-_LONGEST_OFFSET, _SMALLEST_OFFSET = 12, -6
-"""Powers of ten beyond which the digits that ticks share are written with an exponent."""
+_PLACES_OF_NUMBER = 14
+"""And at most this many places below the number's own first digit: fifteen digits always tell doubles apart."""
 
-_GROUPED = str.maketrans(",", "\N{NO-BREAK SPACE}")
+_SMALLEST_POWER = -323
+"""The smallest power of ten that is not 0."""
+
+_DECIMAL_DIGITS = 28
+"""Digits that decimal arithmetic keeps by default; a double has 17 at most."""
+
+_PLACES_KEPT = 10
+"""Decimal places below the step that a stepped number keeps; what is smaller came from rounding."""
+
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -109,59 +113,49 @@ def tick_texts(positions: Iterable[float]) -> list[str]:
     return [fixed_text(value, decimals) for value in values]
 
 
-@dataclass(frozen=True)
-class TickLabels:
-    """The texts of ticks, and what they have in common.
+def natural_step(value: float, scale: float) -> float:
+    """Return by how much one step of a key or wheel changes a number: a power of ten that means something beside it.
 
     Parameters
     ----------
-    texts : one a tick
-    note : the factor of all, and the number that is added to all, as "×10⁻⁶ + 500 000"; empty where there is neither
-    """
-
-    texts: list[str]
-    note: str = ""
-
-
-def tick_labels(positions: Iterable[float], plain_powers: range = _PLAIN_POWERS) -> TickLabels:
-    """Return short labels of ticks at even steps that tell neighbours apart, however far from 0 or small they are.
-
-    Parameters
-    ----------
-    positions : each the double that is nearest to its decimal fraction
-    plain_powers : the powers of ten of numbers that are written in full
+    value : the number; far from 0, the step is no smaller than what its digits show
+    scale : the size of what the number moves in, such as the extent of a net; where it is 0, the number's own size
 
     Examples
     --------
-    >>> tick_labels([512345.6, 512345.62])
-    TickLabels(texts=['0.00', '0.02'], note='+ 512\xa0345.6')
-    >>> tick_labels([0.0, 2e-6, 4e-6])
-    TickLabels(texts=['0', '2', '4'], note='×10⁻⁶')
+    >>> natural_step(2.5, scale=4), natural_step(2.5, scale=3e-7), natural_step(-4e11, scale=1e-3)
+    (0.01, 1e-09, 0.001)
     """
-    values = [Decimal(repr(float(position))) for position in positions]
-    offset = _shared(values)
-    rest = [value - offset for value in values]
-    largest = max(map(abs, rest), default=Decimal(0))
-    power = largest.adjusted() if largest else 0
-    power = 0 if power in plain_powers else power
-    texts = tick_texts(float(value.scaleb(-power)) for value in rest)
-    parts = power_text(power) if power else "", _offset_text(offset) if offset else ""
-    return TickLabels(texts, " ".join(part for part in parts if part))
+    power = _power(scale or value or 1.0) - _PLACES_OF_SIZE
+    if value:
+        power = max(power, _power(value) - _PLACES_OF_NUMBER)
+    return float(f"1e{max(power, _SMALLEST_POWER)}")
 
 
-def _shared(values: Sequence[Decimal]) -> Decimal:
-    """Return the roundest of ticks that are close together and far from 0; 0 where they are not."""
-    steps = [after - before for before, after in itertools.pairwise(values)]
-    if not steps or max(map(abs, values)) < _FAR * min(steps):
-        return Decimal(0)
-    return min(values, key=lambda value: len(value.normalize().as_tuple().digits))
+def knot_step(knot: float) -> float:
+    """Return the natural step of a number strictly between 0 and 1; one step reaches no end 1e-12 away.
+
+    Examples
+    --------
+    >>> knot_step(0.5), knot_step(0.04), knot_step(0.999)
+    (0.01, 0.001, 0.0001)
+    """
+    return natural_step(knot, scale=min(1.0, 10 * min(knot, 1 - knot)))
 
 
-def _offset_text(offset: Decimal) -> str:
-    size = abs(offset).normalize()
-    is_plain = _SMALLEST_OFFSET <= size.adjusted() <= _LONGEST_OFFSET
-    text = f"{size:,f}".translate(_GROUPED) if is_plain else number_text(float(size))
-    return f"{'+' if offset > 0 else MINUS} {true_minus(text)}"
+def stepped(value: float, count: float, step: float) -> float:
+    """Return a number changed by so many steps, counted in decimals: 0.1 and 0.2 are 0.3.
+
+    Parameters
+    ----------
+    value : the number, which keeps its own digits as far as they count beside the step
+    count : how many steps, negative downwards
+    step : a power of ten, as ``natural_step`` gives it
+    """
+    exact = Decimal(repr(float(value))) + Decimal(repr(float(count))) * Decimal(repr(float(step)))
+    places = max(_PLACES_KEPT - _power(step), 0)
+    kept = round(exact, places) if exact.adjusted() + places < _DECIMAL_DIGITS else exact
+    return float(kept) + 0.0  # never minus zero
 
 
 def true_minus(text: str) -> str:
@@ -172,3 +166,8 @@ def true_minus(text: str) -> str:
 def _short_exponent(text: str) -> str:
     """Return a text without the plus sign and the leading zero of its exponent."""
     return text.replace("e+0", "e").replace("e+", "e").replace("e-0", "e-")
+
+
+def _power(value: float) -> int:
+    """Return the power of ten of a number's first digit; what misses a power by rounding is that power."""
+    return Decimal(f"{value:.12g}").adjusted()

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from enum import StrEnum
+from typing import TypeVar
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
@@ -9,13 +13,21 @@ from qovr_app.state.typed import typed_number
 from qovr_app.widgets.parts import named, words
 from qovr_core import Document, DocumentError
 from qovr_core.files import Format
+from qovr_core.files.conventions import CsvDialect, Unit, Up
 from qovr_core.files.options import ExportOptions
 from qovr_core.layer import Layer
 from qovr_core.number_texts import number_text
 
+_Kind = TypeVar("_Kind", bound=StrEnum)
+
 
 class ExportChoices(QWidget):
     """Describes one format, and offers the choices it knows.
+
+    Parameters
+    ----------
+    document : what is to be written
+    first : the unit, axis and dialect that are chosen first
 
     Signals
     -------
@@ -24,7 +36,7 @@ class ExportChoices(QWidget):
 
     choices_changed = Signal()
 
-    def __init__(self, document: Document, parent: QWidget | None = None) -> None:
+    def __init__(self, document: Document, first: ExportOptions, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._keeps = self._text("export.keeps")
         self._loses = self._text("export.loses")
@@ -36,6 +48,13 @@ class ExportChoices(QWidget):
         self._tolerance.setToolTip(
             "How far the mesh may be from the surface, in the document's unit. Empty: its vertices are the samples."
         )
+        self._unit = self._choice("export.units", "What the document's numbers count", Unit, first.unit)
+        self._up = self._choice("export.up", "The axis of the file that points up", Up, first.up)
+        self._up.insertItem(0, "")
+        self._up.setCurrentIndex(self._up.findData(first.up.value) if first.up else 0)
+        self._dialect = self._choice("export.csv_dialect", "How the table is spelt", CsvDialect, first.csv_dialect)
+        for k, dialect in enumerate(CsvDialect):
+            self._dialect.setItemText(k, dialect.wording)
         self._layer.currentTextChanged.connect(self.choices_changed)
         self._tolerance.textChanged.connect(self.choices_changed)
         self._form = QFormLayout(self)
@@ -44,6 +63,9 @@ class ExportChoices(QWidget):
         self._form.addRow("Loses", self._loses)
         self._form.addRow("&Surface", self._layer)
         self._form.addRow("Mesh &within", self._tolerance)
+        self._form.addRow("&Units", self._unit)
+        self._form.addRow("U&p", self._up)
+        self._form.addRow("&Spelling", self._dialect)
 
     def describe(self, entry: Format) -> None:
         """Show a format; choices it does not know go away."""
@@ -51,6 +73,17 @@ class ExportChoices(QWidget):
         self._loses.setText(entry.loses or "nothing")
         self._form.setRowVisible(self._layer, entry.holds_one_layer)
         self._form.setRowVisible(self._tolerance, entry.is_mesh)
+        self._form.setRowVisible(self._unit, entry.has_unit)
+        self._form.setRowVisible(self._up, entry.usual_up is not None)
+        self._form.setRowVisible(self._dialect, entry.is_text_table)
+        self._up.setItemText(0, f"usual for {entry.suffix}: {entry.usual_up}")
+
+    @property
+    def conventions(self) -> ExportOptions:
+        """The unit, axis and dialect that are chosen, whichever of them the format heeds."""
+        up = self._up.currentData()
+        unit, dialect = Unit(self._unit.currentData()), CsvDialect(self._dialect.currentData())
+        return ExportOptions(unit=unit, up=Up(up) if up else None, csv_dialect=dialect)
 
     def options(self, entry: Format) -> ExportOptions:
         """Return what is chosen for a format.
@@ -60,7 +93,15 @@ class ExportChoices(QWidget):
         DocumentError : the tolerance is no positive number
         """
         layer = Layer(self._layer.currentText()) if entry.holds_one_layer else None
-        return ExportOptions(layer, self._typed_tolerance() if entry.is_mesh else None)
+        return replace(self.conventions, layer=layer, tolerance=self._typed_tolerance() if entry.is_mesh else None)
+
+    def _choice(self, name: str, spoken: str, kind: type[_Kind], chosen: _Kind | None) -> QComboBox:
+        """Return a list of all values of a kind; each item's data is the value's text."""
+        box = named(QComboBox(self), name, spoken)
+        for value in kind:
+            box.addItem(value.value, value.value)
+        box.setCurrentIndex(box.findData(chosen.value) if chosen else 0)
+        return box
 
     def _typed_tolerance(self) -> float | None:
         typed = typed_number(self._tolerance.text())

@@ -29,7 +29,7 @@ from qovr_app.widgets.parts import named, words
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.files import FORMATS
+from qovr_core.files import FORMATS, ExportOptions, find_format
 from qovr_core.files.formats import export
 
 _PROGRESS_PARTS = 1000
@@ -41,6 +41,10 @@ _FIRST_FORMAT = ".xlsx"
 class ExportDialog(QDialog):
     """Writes one configured document in a format of the one table of formats.
 
+    Parameters
+    ----------
+    first : the unit, axis and dialect that are chosen first
+
     Signals
     -------
     exported : the path that was written
@@ -48,7 +52,9 @@ class ExportDialog(QDialog):
 
     exported = Signal(object)
 
-    def __init__(self, document: Document, stem: Path, worker: Worker, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, document: Document, stem: Path, worker: Worker, first: ExportOptions, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self.setWindowTitle("Export Data")
         self.setObjectName("export")
@@ -57,7 +63,7 @@ class ExportDialog(QDialog):
         self._job: Job | None = None
         self._formats = FormatList("export.format", self)
         self._formats.choose(_FIRST_FORMAT)
-        self._choices = ExportChoices(document, self)
+        self._choices = ExportChoices(document, first, self)
         self._path = named(QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self), "export.path")
         self._browse = named(QPushButton("&Browse…", self), "export.browse")
         self._note = words("export.note", self)
@@ -79,8 +85,13 @@ class ExportDialog(QDialog):
         path = Path(text)
         if not path.name or text.endswith(("/", os.sep)):
             return None
-        suffix = self._formats.entry.suffix
-        return path if path.suffix.lower() == suffix else path.with_name(path.name + suffix)
+        entry = self._formats.entry
+        return path if find_format(path) is entry else path.with_name(path.name + entry.suffix)
+
+    @property
+    def conventions(self) -> ExportOptions:
+        """The unit, axis and dialect that are chosen."""
+        return self._choices.conventions
 
     def reject(self) -> None:
         if self._job is None:
@@ -126,15 +137,15 @@ class ExportDialog(QDialog):
 
     def _on_format_chosen(self) -> None:
         path = Path(self._path.text())
-        if path.suffix.lower() in FORMATS:
+        if find_format(path):
             path = path.with_suffix(self._formats.entry.suffix)
         self._path.setText(str(path))
         self._describe()
 
     def _on_path_typed(self, text: str) -> None:
-        if Path(text).suffix.lower() in FORMATS:
+        if found := find_format(Path(text)):
             with QSignalBlocker(self._formats):
-                self._formats.choose(Path(text).suffix.lower())
+                self._formats.choose(found.suffix)
         self._describe()
 
     def _describe(self) -> None:

@@ -16,7 +16,7 @@ from qovr_app.window.application import NAME
 from qovr_app.window.folder import Folder
 from qovr_app.window.shell import Answers
 from qovr_core import QovrError
-from qovr_core.files import read_source, readable_suffixes, write_document
+from qovr_core.files import read_source, source_suffixes, write_document
 from qovr_core.files.sources import PRESET_PREFIX
 
 DOCUMENT_SUFFIX = ".qovr"
@@ -73,7 +73,7 @@ class DocumentShell:
 
     def _ask_for_source(self, _request: requests.OpenAsked) -> None:
         """Ask for a file and open it."""
-        kinds = " ".join(f"*{suffix}" for suffix in readable_suffixes())
+        kinds = " ".join(f"*{suffix}" for suffix in source_suffixes())
         filters = f"Documents and workbooks ({kinds})"
         name, _ = QFileDialog.getOpenFileName(self._window, "Open", str(self._folder.path), filters)
         if name:

@@ -14,9 +14,11 @@ from qovr_app.state.figure_options import FigureOptions
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.store import Store
 from qovr_app.window.folder import Folder
+from qovr_app.window.preferences import Preferences
 from qovr_app.window.shell import Answers
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
+from qovr_core.files import ExportOptions
 
 FigureWriter = Callable[[Path, FigureOptions], None]
 """Writes a figure of these options into a file, or raises QovrError."""
@@ -28,6 +30,7 @@ class ExportShell:
     Parameters
     ----------
     worker : in which an export is done
+    preferences : where the conventions of the last export are remembered; None where nothing is
     save_view : writes what the 3D view shows
     commit_typed : takes what is just being typed, as leaving the field would
     """
@@ -38,11 +41,14 @@ class ExportShell:
         window: QWidget,
         folder: Folder,
         worker: Worker,
+        preferences: Preferences | None,
         *,
         save_view: FigureWriter,
         commit_typed: Callable[[], None],
     ) -> None:
         self._store, self._window, self._folder, self._worker = store, window, folder, worker
+        self._preferences = preferences
+        self._conventions = preferences.conventions if preferences else ExportOptions()
         self._save_view, self._commit_typed = save_view, commit_typed
         self.answers: Answers = {
             requests.ExportAsked: self._export,
@@ -57,10 +63,17 @@ class ExportShell:
         if self._store.state.is_stale:
             self._say("Nothing to export: configure the surface first.", is_refusal=True)
             return
-        dialog = ExportDialog(self._store.state.document, self._stem, self._worker, self._window)
-        dialog.exported.connect(self._on_written)
+        document, first = self._store.state.document, self._conventions
+        dialog = ExportDialog(document, self._stem, self._worker, first, self._window)
+        dialog.exported.connect(lambda path: self._on_exported(path, dialog.conventions))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
+
+    def _on_exported(self, path: Path, conventions: ExportOptions) -> None:
+        self._conventions = conventions
+        if self._preferences:
+            self._preferences.conventions = conventions
+        self._on_written(path)
 
     def _save_figure(self, _request: requests.FigureAsked) -> None:
         """Ask how large and where, and write what is seen in the 3D view."""

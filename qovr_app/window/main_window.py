@@ -31,7 +31,7 @@ from qovr_app.window.recovery_offer import RecoveryOffer
 from qovr_app.window.shell import Shell
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
-from qovr_core.files import readable_suffixes
+from qovr_core.files import source_suffixes
 from qovr_core.files.sources import PRESET_PREFIX
 
 if TYPE_CHECKING:
@@ -68,8 +68,9 @@ class MainWindow(QMainWindow):
         self.parts = Layout(self.store, self.worker, self)
         folder, commit = Folder(preferences), self.parts.commit_typed
         self._documents = DocumentShell(self.store, self, folder, commit)
+        save_view = self.parts.view_frame.save_figure
         exports = ExportShell(
-            self.store, self, folder, self.worker, save_view=self.parts.view_frame.save_figure, commit_typed=commit
+            self.store, self, folder, self.worker, preferences, save_view=save_view, commit_typed=commit
         )
         self._offer = RecoveryOffer(self._documents, self.store.dispatch, self)
         parts = LayoutShell(self.store, self.parts, self)
@@ -192,4 +193,4 @@ def _facts_text(state: EditorState) -> str:
 def _dropped_source(event: QDropEvent) -> str:
     """Return the first dropped file that can be opened; empty where there is none."""
     paths = (url.toLocalFile() for url in event.mimeData().urls())
-    return next((path for path in paths if path.lower().endswith(readable_suffixes())), "")
+    return next((path for path in paths if path.lower().endswith(source_suffixes())), "")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any
@@ -11,6 +12,7 @@ from PySide6.QtCore import QByteArray, QSettings
 from qovr_app.state.display import ColourRange, DisplaySettings
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core.fields import FIELDS
+from qovr_core.files import ExportOptions
 
 _ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
 _MOST_RECENT = 9
@@ -18,6 +20,9 @@ _MOST_RECENT = 9
 
 _FORGOTTEN = ("theme", "fixed_range")
 """Display settings that follow the system, or belong to one document, and are not remembered."""
+
+_CONVENTIONS = ("unit", "up", "csv_dialect")
+"""The choices of an export that are of a person's other programs, and not of one document."""
 
 
 class Preferences:
@@ -66,6 +71,21 @@ class Preferences:
     def set_bytes(self, name: str, state: QByteArray) -> None:
         """Remember a state of a window or splitter."""
         self._store.setValue(f"window/{name}", state)
+
+    @property
+    def conventions(self) -> ExportOptions:
+        """The unit, axis and dialect with which a surface was last exported."""
+        chosen = ExportOptions()
+        for name in _CONVENTIONS:
+            remembered: dict[str, Any] = {name: self._store.value(f"export/{name}")}
+            with suppress(ValueError):
+                chosen = replace(chosen, **remembered) if remembered[name] else chosen
+        return chosen
+
+    @conventions.setter
+    def conventions(self, chosen: ExportOptions) -> None:
+        for name in _CONVENTIONS:
+            self._store.setValue(f"export/{name}", str(getattr(chosen, name) or ""))
 
     def display(self, first: DisplaySettings) -> DisplaySettings:
         """Return ``first`` with every remembered choice in it."""

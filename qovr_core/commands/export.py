@@ -14,12 +14,12 @@ from qovr_core.commands.common import DONE, SOURCE_HELP, progress_bar
 from qovr_core.document import Document
 from qovr_core.errors import DocumentError, FileError, QovrError
 from qovr_core.files import FORMATS, ExportOptions, export, format_for, read_source
+from qovr_core.files.conventions import CsvDialect, Unit, Up
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.layer import Layer
 
 
 def add_command(commands: Any) -> None:
-    of_one_layer = ", ".join(suffix for suffix, entry in FORMATS.items() if entry.holds_one_layer)
     command = commands.add_parser("export", help="evaluate and write files", epilog=SOURCE_HELP)
     command.add_argument("source", metavar="SOURCE")
     command.add_argument("outs", metavar="OUT", nargs="+", type=Path, help=f"ends in {', '.join(FORMATS)}")
@@ -28,13 +28,29 @@ def add_command(commands: Any) -> None:
     command.add_argument(
         "--layer",
         choices=[str(layer) for layer in Layer],
-        help=f"which surface {of_one_layer} get (default: transformed; raw for interpolating)",
+        help=f"which surface {_suffixes('holds_one_layer')} get (default: transformed; raw for interpolating)",
     )
     command.add_argument(
         "--tolerance",
         type=_tolerance,
         metavar="DISTANCE",
-        help=f"largest distance between surface and mesh; {_meshes()} then choose their own samples",
+        help=f"largest distance between surface and mesh; {_suffixes('is_mesh')} then choose their own samples",
+    )
+    command.add_argument(
+        "--units",
+        choices=[str(unit) for unit in Unit],
+        default=str(Unit.MILLIMETRE),
+        help=f"what the document's numbers count (default: mm): {_suffixes('has_unit')} heed it, others keep "
+        "the numbers",
+    )
+    usual = ", ".join(f"{suffix} {entry.usual_up}" for suffix, entry in FORMATS.items() if entry.usual_up)
+    command.add_argument(
+        "--up", choices=[str(up) for up in Up], help=f"the axis of the file that points up (default: {usual})"
+    )
+    command.add_argument(
+        "--csv-dialect",
+        choices=[str(dialect) for dialect in CsvDialect],
+        help="how .csv is spelt (default: comma): " + "; ".join(f"{d} has {d.wording}" for d in CsvDialect),
     )
     command.set_defaults(command=_export)
 
@@ -42,9 +58,20 @@ def add_command(commands: Any) -> None:
 def _export(arguments: argparse.Namespace) -> int:
     document = _changed(read_source(arguments.source), arguments)
     formats = [format_for(out) for out in arguments.outs]
-    options = ExportOptions(arguments.layer, arguments.tolerance)
-    if options.tolerance is not None and not any(target.is_mesh for target in formats):
-        raise QovrError(f"--tolerance is for a mesh; expected an OUT that ends in {_meshes()}")
+    options = ExportOptions(
+        arguments.layer,
+        arguments.tolerance,
+        Unit(arguments.units),
+        arguments.up,
+        CsvDialect(arguments.csv_dialect or CsvDialect.COMMA),
+    )
+    for option, value, what, concerned in (
+        ("--tolerance", arguments.tolerance, "a mesh", "is_mesh"),
+        ("--up", arguments.up, "a mesh without an axis of its own", "usual_up"),
+        ("--csv-dialect", arguments.csv_dialect, "a table of text", "is_text_table"),
+    ):
+        if value is not None and not any(getattr(target, concerned) for target in formats):
+            raise QovrError(f"{option} is for {what}; expected an OUT that ends in {_suffixes(concerned)}")
     for out, target in zip(arguments.outs, formats, strict=True):
         target.check(document, out)
         _check_folder(out)
@@ -55,8 +82,9 @@ def _export(arguments: argparse.Namespace) -> int:
     return DONE
 
 
-def _meshes() -> str:
-    return ", ".join(suffix for suffix, entry in FORMATS.items() if entry.is_mesh)
+def _suffixes(concerned: str) -> str:
+    """Return the suffixes of the formats that a choice concerns, which their records tell in a field."""
+    return ", ".join(suffix for suffix, entry in FORMATS.items() if getattr(entry, concerned))
 
 
 def _changed(document: Document, arguments: argparse.Namespace) -> Document:

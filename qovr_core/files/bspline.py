@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -23,6 +24,9 @@ _NO_AREA = 1e-12
 """|S_u x S_v| below this part of its bound everywhere is rounding: the surface is a curve or a point."""
 
 _AREA_SAMPLES = 17
+
+_UNCERTAINTY_DIGITS = 8
+"""Points closer than the surface's size, rounded up to a power of ten, times 1e-8 are the same to a CAD program."""
 
 
 @dataclass(frozen=True)
@@ -82,6 +86,11 @@ def diagonal(points: Array) -> float:
     """Return the diagonal of the box of points (..., 3)."""
     flat = points.reshape(-1, 3)
     return float(np.linalg.norm(flat.max(axis=0) - flat.min(axis=0)))
+
+
+def uncertainty(points: Array) -> float:
+    """Return the distance below which points of a surface are the same, a power of ten."""
+    return float(f"1e{math.ceil(math.log10(diagonal(points))) - _UNCERTAINTY_DIGITS}")
 
 
 def outline(points: Array, within: float) -> Outline:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import csv
 import json
+from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
 
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
+from qovr_core.files.conventions import CsvDialect
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
@@ -24,7 +26,7 @@ def inputs_path(path: Path) -> Path:
     return path.with_suffix(".inputs.json")
 
 
-def write_csv(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
+def write_csv(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write all points at full precision, u-major, and the inputs beside them; both files or neither.
 
     Raises
@@ -34,12 +36,13 @@ def write_csv(evaluation: Evaluation, path: Path, progress: Progress, _options: 
     with replacing(path, inputs_path(path)) as (points, inputs):
         inputs.write_text(_inputs_text(evaluation), encoding="utf-8", newline="\n")
         with points.open("w", encoding="utf-8", newline="") as file:
-            table = csv.writer(file, lineterminator="\n")
+            table = csv.writer(file, delimiter=options.csv_dialect.separator, lineterminator="\n")
             table.writerow(HEADER)
             j, v = list(range(len(evaluation.v))), evaluation.v.tolist()
             for i, u in enumerate(evaluation.u.tolist()):
                 coordinates = np.hstack([evaluation.raw[i], evaluation.transformed[i]]).tolist()
-                table.writerows((i, j[k], u, v[k], *row) for k, row in enumerate(coordinates))
+                rows = ((i, j[k], u, v[k], *row) for k, row in enumerate(coordinates))
+                table.writerows(_spelt(rows, options.csv_dialect))
                 progress((i + 1) / len(evaluation.u))
 
 
@@ -49,7 +52,15 @@ CSV = Format(
     keeps="all points at full precision, inputs, boxes and matrix in NAME.inputs.json beside it",
     loses="the surface between its samples, but for the inputs beside it",
     writer=write_csv,
+    is_text_table=True,
 )
+
+
+def _spelt(rows: Iterable[tuple[float, ...]], dialect: CsvDialect) -> Iterable[tuple[float | str, ...]]:
+    """Return rows with their numbers spelt as a dialect has it; shortest decimals that read back either way."""
+    if dialect.decimal_sign == ".":
+        return rows
+    return (tuple(repr(value).replace(".", dialect.decimal_sign) for value in row) for row in rows)
 
 
 def _inputs_text(evaluation: Evaluation) -> str:

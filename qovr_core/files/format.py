@@ -8,6 +8,7 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
+from qovr_core.files.conventions import Up
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 
@@ -39,6 +40,11 @@ class Format:
     check : refuses, before any work, a document that the format cannot hold
     holds_one_layer : whether ``ExportOptions.layer`` decides what is written
     is_mesh : whether ``ExportOptions.tolerance`` decides how fine
+    has_unit : whether ``ExportOptions.unit`` is declared in it, or decides its size
+    usual_up : the axis that its readers expect to point up, where ``ExportOptions.up`` may choose another; else None
+    is_text_table : whether ``ExportOptions.csv_dialect`` decides how it spells its cells
+    other_suffixes : under which it is known too, as ``.stp``
+    suffixes_read : of kinds of files that it reads but does not write
     announce : says of a document, before the work, how long and how large it will be; empty where that is little
     """
 
@@ -51,6 +57,11 @@ class Format:
     check: Callable[[Document, Path], None] = _any_size
     holds_one_layer: bool = False
     is_mesh: bool = False
+    has_unit: bool = False
+    usual_up: Up | None = None
+    is_text_table: bool = False
+    other_suffixes: tuple[str, ...] = ()
+    suffixes_read: tuple[str, ...] = ()
     announce: Callable[[Document], str] = _nothing_to_say
 
     def write(self, evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:

@@ -33,18 +33,27 @@ for _record in (WORKBOOK, CSV, NPZ, MAT, STEP, IGES, RHINO, OBJ, STL, PLY, GLB, 
 FORMATS.seal()
 
 
+def find_format(path: Path) -> Format | None:
+    """Return the format whose suffix, or another name of it, a path ends in; None where there is none."""
+    suffix = path.suffix.lower()
+    others = (entry for entry in FORMATS.values() if suffix in entry.other_suffixes)
+    return FORMATS.get(suffix) or next(others, None)
+
+
 def format_for(path: Path) -> Format:
-    """Return the format that a path's suffix names.
+    """Return the format in which a path is written.
 
     Raises
     ------
-    SourceError : no format has this suffix
+    SourceError : no format has this suffix, or it is that of files which are only read
     """
-    try:
-        return FORMATS[path.suffix.lower()]
-    except KeyError:
-        suffix = f"the suffix '{path.suffix}'" if path.suffix else "no suffix"
-        raise SourceError(f"{path}: has {suffix}; expected one of {', '.join(FORMATS)}") from None
+    if found := find_format(path):
+        return found
+    for entry in FORMATS.values():
+        if path.suffix.lower() in entry.suffixes_read:
+            raise SourceError(f"{path}: '{path.suffix}' is only read, not written; expected {entry.suffix}")
+    suffix = f"the suffix '{path.suffix}'" if path.suffix else "no suffix"
+    raise SourceError(f"{path}: has {suffix}; expected one of {', '.join(FORMATS)}")
 
 
 def export(document: Document, path: Path, options: ExportOptions = DEFAULTS, progress: Progress = silent) -> None:

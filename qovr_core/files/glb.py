@@ -12,11 +12,12 @@ from qovr_core.arrays import Array
 from qovr_core.colours import height_colours, linear
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
+from qovr_core.files.conventions import Unit, Up
 from qovr_core.files.format import Format
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, UNIT_IN_METRES, origin
+from qovr_core.files.provenance import PROGRAM, origin
 from qovr_core.files.qovr_document import document_to_json
 
 _FLOAT, _UNSIGNED_SHORT, _UNSIGNED_INT = 5126, 5123, 5125
@@ -46,7 +47,7 @@ def write_glb(evaluation: Evaluation, path: Path, progress: Progress, options: E
         file.write(b"glTF" + np.array([2, total, len(text), _JSON_CHUNK], "<u4").tobytes())
         file.write(text)
         file.write(np.array([length, _BINARY_CHUNK], "<u4").tobytes())
-        _write_buffer(file, mesh, centre, progress)
+        _write_buffer(file, mesh, centre, options.unit, progress)
 
 
 GLB = Format(
@@ -57,19 +58,15 @@ GLB = Format(
     writer=write_glb,
     holds_one_layer=True,
     is_mesh=True,
+    has_unit=True,
 )
 
 
-def y_up(vectors: Array) -> Array:
-    """Return vectors (..., 3) in glTF's axes: x stays, z points up as y, y points away as -z."""
-    return np.stack([vectors[..., 0], vectors[..., 2], -vectors[..., 1]], axis=-1)
+def _positions(points: Array, centre: Array, unit: Unit) -> np.ndarray[Any, np.dtype[np.float32]]:
+    return (Up.Y.turned(points - centre) * unit.metres).astype("<f4")
 
 
-def _positions(points: Array, centre: Array) -> np.ndarray[Any, np.dtype[np.float32]]:
-    return (y_up(points - centre) * UNIT_IN_METRES).astype("<f4")
-
-
-def _write_buffer(file: BinaryIO, mesh: Mesh, centre: Array, progress: Progress) -> None:
+def _write_buffer(file: BinaryIO, mesh: Mesh, centre: Array, unit: Unit, progress: Progress) -> None:
     vertices = mesh.vertices
     low, high = vertices[:, 2].min(), vertices[:, 2].max()
     opaque = np.iinfo(np.uint16).max
@@ -82,9 +79,9 @@ def _write_buffer(file: BinaryIO, mesh: Mesh, centre: Array, progress: Progress)
         progress(MESHED + (1 - MESHED) * done / total)
 
     for part in blocks(len(vertices)):
-        put(_positions(vertices[part], centre))
+        put(_positions(vertices[part], centre, unit))
     for part in blocks(len(vertices)):
-        put(y_up(mesh.normals[part]).astype("<f4"))
+        put(Up.Y.turned(mesh.normals[part]).astype("<f4"))
     for part in blocks(len(vertices)):
         colours = np.full((part.stop - part.start, 4), opaque, dtype="<u2")
         colours[:, :3] = np.rint(opaque * linear(height_colours(vertices[part, 2], low, high)))
@@ -97,7 +94,7 @@ def _tree(mesh: Mesh, centre: Array, evaluation: Evaluation, options: ExportOpti
     """Return the JSON part; attributes first, then the triangles, in the order of ``_write_buffer``."""
     count = len(mesh.normals)
     ends = [mesh.points.min(axis=0), mesh.points.max(axis=0)]
-    corners = np.array([_positions(end, centre) for end in ends])
+    corners = np.array([_positions(end, centre, options.unit) for end in ends])
     box = {"min": corners.min(axis=0).tolist(), "max": corners.max(axis=0).tolist()}
     accessors = [
         {"componentType": _FLOAT, "count": count, "type": "VEC3", **box},
@@ -108,6 +105,7 @@ def _tree(mesh: Mesh, centre: Array, evaluation: Evaluation, options: ExportOpti
     views, length = _views([12 * count, 12 * count, 8 * count, 4 * mesh.corners.size])
     primitive = {"attributes": {"POSITION": 0, "NORMAL": 1, "COLOR_0": 2}, "indices": 3, "material": 0}
     matte = {"metallicFactor": 0.0, "roughnessFactor": 0.6}
+    place = Up.Y.turned(centre) * options.unit.metres
     extras: dict[str, Any] = {
         "origin": origin(evaluation, options),
         "document": json.loads(document_to_json(evaluation.document)),
@@ -118,7 +116,7 @@ def _tree(mesh: Mesh, centre: Array, evaluation: Evaluation, options: ExportOpti
         "asset": {"version": "2.0", "generator": PROGRAM, "extras": extras},
         "scene": 0,
         "scenes": [{"nodes": [0]}],
-        "nodes": [{"name": "QOVR surface", "mesh": 0, "translation": (y_up(centre) * UNIT_IN_METRES).tolist()}],
+        "nodes": [{"name": "QOVR surface", "mesh": 0, "translation": place.tolist()}],
         "meshes": [{"name": "QOVR surface", "primitives": [primitive]}],
         "materials": [{"name": "height", "pbrMetallicRoughness": matte, "doubleSided": True}],
         "accessors": [{"bufferView": k, **accessor} for k, accessor in enumerate(accessors)],

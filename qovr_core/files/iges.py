@@ -10,16 +10,19 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
-from qovr_core.files import bspline, step
+from qovr_core.files import bspline, step_entities
 from qovr_core.files.atomic import replacing
+from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, UNIT, origin, timestamp
+from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import document_to_json
 
 ENTITY = 128
-MILLIMETRES = 2
+UNITS = {Unit.INCH: (1, "IN"), Unit.MILLIMETRE: (2, "MM"), Unit.METRE: (6, "M"), Unit.CENTIMETRE: (10, "CM")}
+"""Number and name of each unit in fields 14 and 15 of the global section."""
+
 IGES_5_3 = 11
 
 _TEXT_COLUMNS = 72
@@ -30,7 +33,7 @@ _LABEL = "QOVR"
 
 
 def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
-    """Write the exact surface, one entity of its true degree, in millimetres.
+    """Write the exact surface, one entity of its true degree, in the unit of its numbers.
 
     Raises
     ------
@@ -39,7 +42,7 @@ def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: 
     patch = bspline.chosen_patch(evaluation, options, path)
     progress(0.0)
     points = bspline.control_points(patch)
-    text = _file(_start(evaluation, options), _global_fields(points, path), _parameters(points))
+    text = _file(_start(evaluation, options), _global_fields(points, path, options.unit), _parameters(points))
     with replacing(path) as (draft,):
         draft.write_text(text, encoding="ascii", newline="\n")
         progress(1.0)
@@ -48,16 +51,18 @@ def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: 
 IGES = Format(
     suffix=".iges",
     name="IGES 5.3",
-    keeps=f"the exact surface, one B-spline surface (entity {ENTITY}) of its true degree, in {UNIT}",
+    keeps=f"the exact surface, one B-spline surface (entity {ENTITY}) of its true degree, in the unit of its numbers",
     loses="nothing of the surface; control net, knots and samples, but for the document as text",
     writer=write_iges,
     holds_one_layer=True,
+    has_unit=True,
+    other_suffixes=(".igs",),
 )
 
 
 def real(value: float) -> str:
     """Return the shortest decimal that reads back as the number, as IGES spells double precision: ``1.D-5``."""
-    return step.real(value).replace("E", "D")
+    return step_entities.real(value).replace("E", "D")
 
 
 def hollerith(text: str) -> str:
@@ -73,14 +78,15 @@ def _start(evaluation: Evaluation, options: ExportOptions) -> list[str]:
     return [origin(evaluation, options)[:_TEXT_COLUMNS], "The document:", *document]
 
 
-def _global_fields(points: Array, path: Path) -> list[str]:
+def _global_fields(points: Array, path: Path, unit: Unit) -> list[str]:
     made = hollerith(timestamp().strftime("%Y%m%d.%H%M%S"))
     names = [hollerith(text) for text in (path.stem, path.name, PROGRAM, PROGRAM)]
     precision = ["32", "38", "6", "308", "15"]  # bits of an integer, then exponents and digits of both reals
+    flag, name = UNITS[unit]
     largest = real(float(np.abs(points).max()))
     return [
         *("1H,", "1H;", *names, *precision, hollerith(path.stem)),
-        *("1.0", str(MILLIMETRES), "2HMM", "1", "0.0", made, real(step.uncertainty(points)), largest),
+        *("1.0", str(flag), hollerith(name), "1", "0.0", made, real(bspline.uncertainty(points)), largest),
         *("", "", str(IGES_5_3), "0", made),
     ]
 
@@ -88,7 +94,7 @@ def _global_fields(points: Array, path: Path) -> list[str]:
 def _parameters(points: Array) -> list[str]:
     """Return the fields of entity 128; here u runs fastest through the control points."""
     p, q = (count - 1 for count in points.shape[:2])
-    edges = bspline.outline(points, step.uncertainty(points))
+    edges = bspline.outline(points, bspline.uncertainty(points))
     knots = [real(knot) for degree in (p, q) for knot in (0.0, 1.0) for _ in range(degree + 1)]
     is_polynomial, is_periodic = "1", "0"
     flags = [str(int(edges.closed_u)), str(int(edges.closed_v)), is_polynomial, is_periodic, is_periodic]

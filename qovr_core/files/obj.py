@@ -14,11 +14,15 @@ import numpy.typing as npt
 
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
+from qovr_core.files.conventions import Up
 from qovr_core.files.format import Format
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import mesh_comments
+
+USUAL_UP = Up.Y
+"""So Blender and Rhino expect it of this format, and turn it upright."""
 
 _NORMAL = f"vn{3 * ' %.9g'}\n"
 """Every 32-bit number reads back as itself from 9 digits; a direction needs no more."""
@@ -32,12 +36,13 @@ def write_obj(evaluation: Evaluation, path: Path, progress: Progress, options: E
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
     mesh = build_mesh(evaluation, options, path, progress)
+    up = options.up or USUAL_UP
     total = len(mesh.points) + len(mesh.normals) + len(mesh.faces)
     done = 0
     with replacing(path) as (draft,), draft.open("w", encoding="ascii", newline="\n") as file:
         file.writelines(f"# {line}\n" for line in mesh_comments(evaluation, options, mesh.deviation))
         file.write("o QOVR_surface\n")
-        for text, count in _parts(mesh):
+        for text, count in _parts(mesh, up):
             file.write(text)
             done += count
             progress(MESHED + (1 - MESHED) * done / total)
@@ -51,14 +56,15 @@ OBJ = Format(
     writer=write_obj,
     holds_one_layer=True,
     is_mesh=True,
+    usual_up=USUAL_UP,
 )
 
 
-def _parts(mesh: Mesh) -> Iterator[tuple[str, int]]:
+def _parts(mesh: Mesh, up: Up) -> Iterator[tuple[str, int]]:
     """Yield the text of points, normals and faces, and how many lines it is."""
     for pattern, rows in (("v %r %r %r\n", mesh.points), (_NORMAL, mesh.normals)):
         for part in blocks(len(rows)):
-            yield _lines(pattern, rows[part])
+            yield _lines(pattern, up.turned(rows[part]))
     for part in blocks(len(mesh.faces)):
         indices = np.stack([mesh.faces[part], mesh.corners[part]], axis=-1) + 1
         yield _lines("f %d//%d %d//%d %d//%d\n", indices.reshape(-1, 6))

@@ -1,4 +1,4 @@
-"""What may be chosen of an export: which of the two surfaces, and how closely a mesh follows it."""
+"""What may be chosen of an export: the surface, how closely a mesh follows it, and what the file's numbers mean."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from qovr_core.arrays import Array
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
+from qovr_core.files.conventions import CsvDialect, Unit, Up
 from qovr_core.geometry.patch import Patch
 from qovr_core.layer import Layer
 
@@ -21,18 +22,26 @@ class ExportOptions:
     layer : the surface that a format for one surface gets; None takes the one that lies on the net
     tolerance : largest distance between surface and mesh, in the document's unit, positive; None takes the
         document's samples as the mesh's vertices
+    unit : what the document's numbers count
+    up : the axis that points up in the file; None takes the one that readers of the format expect
+    csv_dialect : how a table of text spells its cells
 
     Raises
     ------
-    ValueError : there is no such layer, or the tolerance is no positive number
+    ValueError : there is no such layer, unit, axis or dialect, or the tolerance is no positive number
     """
 
     layer: Layer | None = None
     tolerance: float | None = None
+    unit: Unit = Unit.MILLIMETRE
+    up: Up | None = None
+    csv_dialect: CsvDialect = CsvDialect.COMMA
 
     def __post_init__(self) -> None:
-        if self.layer is not None:
-            object.__setattr__(self, "layer", Layer(self.layer))
+        kinds = {"layer": Layer, "unit": Unit, "up": Up, "csv_dialect": CsvDialect}
+        for name, kind in kinds.items():
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, kind(getattr(self, name)))
         if self.tolerance is not None and not 0 < self.tolerance < math.inf:
             raise ValueError(f"the tolerance is {self.tolerance}; expected a positive distance")
 

@@ -11,9 +11,6 @@ from qovr_core.version import VERSION
 
 PROGRAM = f"QOVR Studio {VERSION}"
 
-UNIT, UNIT_IN_METRES = "millimetres", 0.001
-"""What one unit of a document is wherever a format demands a unit."""
-
 
 def origin(evaluation: Evaluation, options: ExportOptions) -> str:
     """Return one line of ASCII: program and version, formulation, layer."""

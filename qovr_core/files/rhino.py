@@ -13,12 +13,12 @@ from qovr_core.errors import DocumentError, FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
+from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, UNIT, origin
+from qovr_core.files.provenance import PROGRAM, origin
 from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
-from qovr_core.files.step import uncertainty
 
 DOCUMENT_KEY = "qovr.document"
 
@@ -30,7 +30,7 @@ SURFACE_LAYER, NET_LAYER, POINTS_LAYER = "Surface", "Control net", "Control poin
 
 
 def write_3dm(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
-    """Write the exact surface, of its true degree and in millimetres, the net's lines and points, and the document.
+    """Write the exact surface of its true degree, the net's lines and points, and the document, in its numbers' unit.
 
     Raises
     ------
@@ -65,11 +65,13 @@ def read_3dm(path: Path) -> Document:
 RHINO = Format(
     suffix=".3dm",
     name="Rhino model",
-    keeps=f"the exact surface of its true degree in {UNIT}, control net and points, the document as user text",
+    keeps="the exact surface of its true degree in the unit of its numbers, control net and points, "
+    "the document as user text",
     loses="the samples and the other layer, which the document makes again",
     writer=write_3dm,
     reader=read_3dm,
     holds_one_layer=True,
+    has_unit=True,
 )
 
 
@@ -94,8 +96,8 @@ def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any
     document = evaluation.document
     model = rhino3dm.File3dm()
     model.ApplicationName = PROGRAM
-    model.Settings.ModelUnitSystem = rhino3dm.UnitSystem.Millimeters
-    model.Settings.ModelAbsoluteTolerance = uncertainty(points)
+    model.Settings.ModelUnitSystem = getattr(rhino3dm.UnitSystem, _UNIT_SYSTEMS[options.unit])
+    model.Settings.ModelAbsoluteTolerance = bspline.uncertainty(points)
     layers = {name: model.Layers.AddLayer(name, colour) for name, colour in _LAYERS.items()}
 
     def named(name: str, layer: str) -> Any:
@@ -119,6 +121,14 @@ def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any
     model.Strings["qovr.formulation"] = str(document.formulation)
     return model
 
+
+_UNIT_SYSTEMS = {
+    Unit.MILLIMETRE: "Millimeters",
+    Unit.CENTIMETRE: "Centimeters",
+    Unit.METRE: "Meters",
+    Unit.INCH: "Inches",
+}
+"""What openNURBS calls each unit."""
 
 _LAYERS = {
     SURFACE_LAYER: (60, 120, 200, 255),

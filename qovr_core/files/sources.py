@@ -19,6 +19,12 @@ def readable_suffixes() -> tuple[str, ...]:
     return tuple(sorted(readable, key=lambda suffix: suffix != QOVR.suffix))
 
 
+def source_suffixes() -> tuple[str, ...]:
+    """Return the suffixes of all files that can be opened: the readable ones, and what is only read."""
+    readable = [FORMATS[suffix] for suffix in readable_suffixes()]
+    return (*readable_suffixes(), *(suffix for entry in readable for suffix in entry.suffixes_read))
+
+
 def read_source(source: str) -> Document:
     """Return the document of a file that carries one, or of ``paper:NAME``.
 
@@ -30,8 +36,9 @@ def read_source(source: str) -> Document:
     if source.startswith(PRESET_PREFIX):
         return preset(source.removeprefix(PRESET_PREFIX)).document
     path = Path(source)
-    entry = FORMATS.get(path.suffix.lower())
-    if entry is None or entry.reader is None:
-        expected = f"a file of {', '.join(readable_suffixes())}, or {PRESET_PREFIX}NAME"
-        raise SourceError(f"{source}: is no source; expected {expected}")
-    return entry.reader(path)
+    suffix = path.suffix.lower()
+    for entry in FORMATS.values():
+        if entry.reader is not None and suffix in (entry.suffix, *entry.other_suffixes, *entry.suffixes_read):
+            return entry.reader(path)
+    expected = f"a file of {', '.join(readable_suffixes())}, or {PRESET_PREFIX}NAME"
+    raise SourceError(f"{source}: is no source; expected {expected}")

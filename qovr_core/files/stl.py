@@ -11,11 +11,15 @@ from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
+from qovr_core.files.conventions import Up
 from qovr_core.files.format import Format
 from qovr_core.files.mesh import MESHED, blocks, build_mesh, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import origin
+
+USUAL_UP = Up.Z
+"""As Blender, Rhino and printers take this format unless they are told otherwise."""
 
 HEADER_BYTES = 80
 
@@ -33,12 +37,13 @@ def write_stl(evaluation: Evaluation, path: Path, progress: Progress, options: E
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
     mesh = build_mesh(evaluation, options, path, progress, float32_rounding(evaluation, options, REACH))
-    offset = shift(mesh.points)
+    points = (options.up or USUAL_UP).turned(mesh.points)
+    offset = shift(points)
     with replacing(path) as (draft,), draft.open("wb") as file:
         file.write(_header(evaluation, options, offset))
         file.write(np.uint32(len(mesh.faces)).astype("<u4").tobytes())
         for part in blocks(len(mesh.faces)):
-            corners = mesh.points[mesh.faces[part]] + offset
+            corners = points[mesh.faces[part]] + offset
             facets = np.zeros(part.stop - part.start, dtype=_FACET)
             facets["normal"] = _facet_normals(corners)
             facets["points"] = corners
@@ -54,6 +59,7 @@ STL = Format(
     writer=write_stl,
     holds_one_layer=True,
     is_mesh=True,
+    usual_up=USUAL_UP,
 )
 
 

@@ -88,6 +88,7 @@ WORKBOOK = Format(
     writer=write_workbook,
     reader=read_workbook,
     check=check_workbook_size,
+    suffixes_read=(".xlsm",),
     announce=workbook_announcement,
 )
 

@@ -13,7 +13,7 @@ from qovr_core.layer import Layer
 from qovr_core.presets import preset
 from support.documents import random_document
 from support.iges_reader import IgesFile
-from support.shapes import CLOSED, COLLAPSED, at_random, configured, of_degree, special
+from support.shapes import CLOSED, COINCIDING, COLLAPSED, at_random, coinciding, configured, of_degree, special
 from support.step_reader import StepFile
 
 DEGREES = ((4, 4), (4, 6), (6, 4), (6, 6))
@@ -126,6 +126,17 @@ def test_collapsed_edges_are_left_out_and_closed_ones_used_twice(name, edges, cl
     assert len(file.all("VERTEX_POINT")) == corners
 
 
+@pytest.mark.parametrize("name", COINCIDING)
+def test_corners_at_one_place_are_four_vertices_of_four_edges(name, tmp_path):
+    """The reader also checks that each edge's line in the parameters gives its curve in space."""
+    surface = configure(coinciding(name))
+    file = StepFile(export(surface, tmp_path / "a.step"))
+    curves = file.boundary()
+    assert len(curves) == len(file.all("EDGE_CURVE")) == len(file.all("VERTEX_POINT")) == 4
+    ends = {tuple(line([0.0, 1.0]).ravel()) for line in map(file.parameter_line, file.pcurves())}
+    assert ends == {(0, 0, 1, 0), (1, 0, 1, 1), (0, 1, 1, 1), (0, 0, 0, 1)}
+
+
 def test_a_step_face_whose_whole_boundary_is_one_point(tmp_path):
     file = StepFile(export(configure(special("balloon")), tmp_path / "a.step"))
     assert len(file.all("VERTEX_LOOP")) == len(file.all("VERTEX_POINT")) == 1
@@ -219,6 +230,36 @@ def test_special_surfaces_are_valid_in_rhino(name, tmp_path):
         "torus": [True, True],
         "balloon": [True, True],
     }.get(name, [False, False])
+
+
+STEP_UNITS = {"mm": (".MILLI.", None), "cm": (".CENTI.", None), "m": ("$", None), "in": (".MILLI.", 25.4)}
+
+
+@pytest.mark.parametrize("unit", STEP_UNITS)
+def test_every_exact_format_declares_the_unit(unit, tmp_path):
+    import rhino3dm
+
+    prefix, factor = STEP_UNITS[unit]
+    surface = configured(25, 6, 6)
+    file = StepFile(export(surface, tmp_path / "a.step", unit=unit))
+    (declared,) = file.one_entity("GLOBAL_UNIT_ASSIGNED_CONTEXT")["GLOBAL_UNIT_ASSIGNED_CONTEXT"][0][:1]
+    length = file.entities[declared.number]
+    assert "LENGTH_UNIT" in length
+    if factor is not None:
+        name, conversion = length["CONVERSION_BASED_UNIT"]
+        assert name == "INCH"
+        measure, base = file.of(conversion)[1]
+        assert measure == ("LENGTH_MEASURE", [factor])
+        length = file.entities[base.number]
+    assert length["SI_UNIT"] == [prefix, ".METRE."]
+    iges = IgesFile(export(surface, tmp_path / "a.iges", unit=unit)).globals
+    assert iges[13:15] == {"mm": ["2", "MM"], "cm": ["10", "CM"], "m": ["6", "M"], "in": ["1", "IN"]}[unit]
+    model = rhino3dm.File3dm.Read(str(export(surface, tmp_path / "a.3dm", unit=unit)))
+    names = {"mm": "Millimeters", "cm": "Centimeters", "m": "Meters", "in": "Inches"}
+    assert model.Settings.ModelUnitSystem == getattr(rhino3dm.UnitSystem, names[unit])
+    for suffix in SUFFIXES:  # the numbers stay what they are
+        parameters, points, extent = at_random(surface.patch, 50)
+        assert np.abs(read_surface(tmp_path / f"a{suffix}")[1](parameters) - points).max() <= EXACT * extent
 
 
 def test_iges_globals(tmp_path):

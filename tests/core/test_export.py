@@ -8,7 +8,8 @@ import pytest
 
 from qovr_core import Evaluation, FileError, Layer, SourceError
 from qovr_core.cli import main
-from qovr_core.files import FORMATS, ExportOptions, Format, export, read_source, readable_suffixes
+from qovr_core.files import FORMATS, ExportOptions, Format, export, read_source, readable_suffixes, source_suffixes
+from qovr_core.files.conventions import CsvDialect
 from qovr_core.presets import preset
 from support.documents import random_document
 
@@ -115,3 +116,39 @@ def test_what_a_format_cannot_hold_is_refused_before_any_work(tmp_path):
         export(random_document(1, samples=(1100, 1000)), tmp_path / "a.xlsx", progress=told.append)
     assert told == []
     assert list(tmp_path.iterdir()) == []
+
+
+def test_other_names_of_formats_are_known(tmp_path, capsys):
+    outs = [tmp_path / name for name in ("a.stp", "a.step", "a.igs", "a.iges", "A.STP")]
+    assert main(["export", "paper:fig5", *map(str, outs)]) == 0
+    stp, step, igs, iges, _ = (out.read_text() for out in outs)
+    assert stp.partition("DATA;")[2] == step.partition("DATA;")[2]
+    assert igs.partition("128 ")[2] == iges.partition("128 ")[2]
+    with pytest.raises(SourceError, match=r"a\.xlsm: '\.xlsm' is only read, not written; expected \.xlsx"):
+        export(DOCUMENT, tmp_path / "a.xlsm")
+    export(DOCUMENT, tmp_path / "a.xlsx")
+    (tmp_path / "a.xlsx").rename(tmp_path / "b.xlsm")
+    assert read_source(str(tmp_path / "b.xlsm")) == DOCUMENT
+    assert source_suffixes() == (*readable_suffixes(), ".xlsm")
+    for name in ("a.stp", "a.igs"):
+        with pytest.raises(SourceError, match="is no source"):
+            read_source(str(tmp_path / name))
+
+
+@pytest.mark.parametrize(("option", "value"), [("--up", "y"), ("--csv-dialect", "semicolon"), ("--tolerance", "0.1")])
+def test_a_choice_that_no_file_heeds_is_refused(option, value, tmp_path, capsys):
+    assert main(["export", "paper:fig5", str(tmp_path / "a.step"), option, value]) == 2
+    assert f"{option} is for a" in capsys.readouterr().err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_csv_of_either_dialect_holds_the_same_numbers(tmp_path):
+    for dialect in CsvDialect:
+        export(DOCUMENT, tmp_path / f"{dialect}.csv", ExportOptions(csv_dialect=dialect))
+    comma, semicolon = ((tmp_path / f"{dialect}.csv").read_text() for dialect in CsvDialect)
+    head, *lines = semicolon.splitlines()
+    assert "," not in head
+    assert "." not in "".join(lines)
+    assert semicolon.replace(",", ".").replace(";", ",") == comma
+    assert main(["export", "paper:fig5", str(tmp_path / "a.csv"), "--csv-dialect", "semicolon"]) == 0
+    assert (tmp_path / "a.csv").read_text().startswith("i;j;u;v;")

@@ -20,6 +20,7 @@ from support.obj_reader import ObjFile
 from support.shapes import CLOSED, COLLAPSED, configured, of_degree, special
 
 SUFFIXES = (".obj", ".stl", ".ply", ".glb")
+Y_UP = (".obj", ".glb")
 FLOAT32 = 2.0**-23
 
 
@@ -34,9 +35,9 @@ def diagonal(points):
 
 def in_the_document(points, suffix):
     """Return points in the document's axes and unit."""
-    if suffix != ".glb":
+    if suffix not in Y_UP:
         return np.asarray(points, dtype=float)
-    return np.stack([points[:, 0], -points[:, 2], points[:, 1]], axis=-1) * 1000
+    return np.stack([points[:, 0], -points[:, 2], points[:, 1]], axis=-1) * (1000 if suffix == ".glb" else 1)
 
 
 def triangles_by_trimesh(path):
@@ -51,7 +52,7 @@ def triangles_by_another(path):
         return in_the_document(read.positions, path.suffix)[read.indices]
     if path.suffix == ".obj":
         read = ObjFile(path)
-        return read.points[read.faces]
+        return in_the_document(read.points, path.suffix)[read.faces]
     read = meshio.read(path)
     (cells,) = read.cells
     return np.asarray(read.points, dtype=float)[cells.data]
@@ -84,7 +85,40 @@ def test_obj_and_ply_lose_no_digit(tmp_path):
     surface = configured(43, 6, 4, 1e-3)
     points = surface.raw.reshape(-1, 3)
     assert np.array_equal(meshio.read(export(surface, tmp_path / "a.ply")).points, points)
-    assert np.array_equal(meshio.read(export(surface, tmp_path / "a.obj")).points, points)
+    assert np.array_equal(meshio.read(export(surface, tmp_path / "a.obj", up="z")).points, points)
+    x, y, z = points.T
+    assert np.array_equal(meshio.read(export(surface, tmp_path / "b.obj")).points, np.stack([x, z, -y], axis=-1))
+
+
+@pytest.mark.parametrize("suffix", [".obj", ".stl", ".ply"])
+@pytest.mark.parametrize("up", ["y", "z"])
+def test_either_axis_can_point_up(suffix, up, tmp_path):
+    document = of_degree(47, 6, 6)
+    surface = configure(replace(document, control_points=document.control_points + np.array([1e3, 2e3, 0])))
+    path = export(surface, tmp_path / f"a{suffix}", up=up)
+    turned = trimesh.load(path, process=False, force="mesh")
+    x, y, z = np.moveaxis(expected_triangles(surface.raw), -1, 0)
+    expected = np.stack([x, y, z] if up == "z" else [x, z, -y], axis=-1)
+    if suffix == ".stl":
+        expected += np.array([float(word) for word in path.read_bytes()[9:80].split(b";")[0].split()])
+    read = np.asarray(turned.vertices, dtype=float)[turned.faces]
+    assert np.abs(read - expected).max() <= (1e-4 if suffix == ".obj" else 4 * FLOAT32 * 2e3)
+    normals = np.cross(*np.moveaxis(np.diff(read, axis=1), 1, 0))
+    exact = np.cross(*np.moveaxis(np.diff(expected, axis=1), 1, 0))
+    assert (np.einsum("ij,ij->i", normals, exact) > 0).all()
+
+
+@pytest.mark.parametrize(("unit", "metres"), [("mm", 0.001), ("cm", 0.01), ("m", 1.0), ("in", 0.0254)])
+def test_glb_is_scaled_to_metres_and_others_keep_the_numbers(unit, metres, tmp_path):
+    surface = configured(50, 6, 6)
+    x, y, z = surface.raw.reshape(-1, 3).T
+    read = GlbFile(export(surface, tmp_path / "a.glb", unit=unit)).positions
+    assert np.abs(read - np.stack([x, z, -y], axis=-1) * metres).max() <= FLOAT32 * diagonal(surface.raw) * metres
+    for suffix in (".obj", ".stl", ".ply"):
+        plain, other = (
+            export(surface, tmp_path / f"{name}{suffix}", **kind) for name, kind in (("a", {}), ("b", {"unit": unit}))
+        )
+        assert plain.read_bytes() == other.read_bytes()
 
 
 # --- normals and colours ----------------------------------------------------------------------------------------------
@@ -95,7 +129,8 @@ def vertex_normals(path):
         x, y, z = GlbFile(path).attribute("NORMAL").astype(float).T
         return np.stack([x, -z, y], axis=-1)
     if path.suffix == ".obj":
-        return ObjFile(path).normals
+        x, y, z = ObjFile(path).normals.T
+        return np.stack([x, -z, y], axis=-1)
     data = meshio.read(path).point_data
     return np.stack([data[f"n{axis}"] for axis in "xyz"], axis=-1)
 

@@ -1,5 +1,7 @@
 """Numbers as text: what is typed reads back, what is looked at has a true minus, ticks tell neighbours apart."""
 
+import math
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -8,12 +10,15 @@ from qovr_core.number_texts import (
     block_text,
     fitted_text,
     fixed_text,
+    knot_step,
+    natural_step,
     number_text,
     percent_text,
     power_text,
     rounded_text,
     short_text,
     significant_text,
+    stepped,
     tick_texts,
 )
 
@@ -112,3 +117,58 @@ def test_ticks_tell_neighbours_apart(first, factor, power, count):
 )
 def test_ticks_in_special_places(positions, texts):
     assert tick_texts(positions) == texts
+
+
+sizes = st.one_of(st.just(0.0), st.floats(1e-300, 1e12), st.integers(-300, 12).map(lambda power: 10.0**power))
+
+
+@given(sizes, sizes, st.sampled_from([-1.0, 1.0]))
+def test_a_natural_step_is_a_power_of_ten_about_a_hundredth_of_the_size_and_changes_the_number(size, scale, sign):
+    value = sign * size
+    step = natural_step(value, scale)
+    assert step == float(f"1e{round(math.log10(step))}")
+    assert stepped(value, 1, step) > value > stepped(value, -1, step)
+    if scale and abs(value) < 1e12 * scale:
+        assert 0.00099 * scale <= step <= 0.010001 * scale
+
+
+@pytest.mark.parametrize(
+    ("value", "scale", "step"),
+    [
+        (2.0, 4.0, 0.01),
+        (0.5, 0.3 - 0.2, 0.001),
+        (0.0, 0.0, 0.01),
+        (-40.0, 0.0, 0.1),
+        (1e12, 1e-3, 0.01),
+        (0.0, 1e12, 1e10),
+    ],
+)
+def test_natural_steps_of_coordinates(value, scale, step):
+    assert natural_step(value, scale) == step
+
+
+@given(st.floats(1e-300, 1, exclude_max=True))
+def test_a_step_of_a_knot_stays_inside(knot):
+    step = knot_step(knot)
+    assert 0 < stepped(knot, -1, step) < knot < stepped(knot, 1, step)
+    assert stepped(knot, 1, step) < 1 or knot > 1 - 1e-12
+    assert (step == 0.01) == (0.1 <= knot <= 0.9) or min(knot, 1 - knot) == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize(
+    ("value", "count", "step", "result"),
+    [
+        (0.1, 20, 0.01, 0.3),
+        (0.1 + 0.2, 1, 0.1, 0.4),
+        (0.123456, 1, 0.01, 0.133456),
+        (0.03, -3, 0.01, 0.0),
+        (1e-300, -1, 0.01, -0.01),
+        (3e-300, 1, 1e-302, 3.01e-300),
+        (1e12, -1, 1e10, 9.9e11),
+        (123456789012.25, 10, 0.01, 123456789012.35),
+    ],
+)
+def test_what_is_stepped_is_a_round_decimal(value, count, step, result):
+    after = stepped(value, count, step)
+    assert after == result
+    assert math.copysign(1.0, after) == 1.0 or after < 0

@@ -2,17 +2,19 @@
 
 import subprocess
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from qovr_core import configure
-from qovr_core.files import format_for
+from qovr_core.files import ExportOptions, format_for
 from qovr_core.files.progress import silent
+from qovr_core.layer import Layer
 from qovr_core.presets import preset
-from support.shapes import CLOSED, COLLAPSED, at_random, of_degree, special
+from support.documents import random_net
+from support.shapes import CLOSED, COINCIDING, COLLAPSED, at_random, coinciding, of_degree, special
 
 pytestmark = pytest.mark.slow
 pytest.importorskip("OCP", reason="OpenCASCADE is not installed: pip install --group cad")
@@ -23,6 +25,9 @@ SIZES = (1e-3, 1.0, 1e5)
 EXACT = 1e-12
 AREA = 0.02
 """OpenCASCADE's quadrature is that coarse on surfaces that fold; a wrong boundary would give half or none of it."""
+MESH_AREA = 1e-3
+MESH_DEVIATION, MESH_ANGLE = 1e-4, 0.1
+"""Of its triangles, which tell the area more closely: their distance as a part of the size, and their angle."""
 
 
 @dataclass
@@ -32,6 +37,7 @@ class Face:
     is_valid: bool
     surface: object
     area: float
+    shape: object
 
     def points(self, parameters):
         return np.array([[p.X(), p.Y(), p.Z()] for p in (self.surface.Value(u, v) for u, v in parameters)])
@@ -61,7 +67,7 @@ def read(path):
     face = TopoDS.Face(face)
     properties = GProp_GProps()
     BRepGProp.SurfaceProperties_s(face, properties, 1e-7)
-    return Face(BRepCheck_Analyzer(shape).IsValid(), BRep_Tool.Surface_s(face), properties.Mass())
+    return Face(BRepCheck_Analyzer(shape).IsValid(), BRep_Tool.Surface_s(face), properties.Mass(), face)
 
 
 def area(patch):
@@ -85,6 +91,19 @@ def check(document, path, degree):
     assert face.area == pytest.approx(area(surface.patch), rel=AREA)
 
 
+def mesh_area(face, size):
+    """Return the area of the triangles that OpenCASCADE draws a face with."""
+    from OCP.BRep import BRep_Tool
+    from OCP.BRepMesh import BRepMesh_IncrementalMesh
+    from OCP.TopLoc import TopLoc_Location
+
+    BRepMesh_IncrementalMesh(face.shape, MESH_DEVIATION * size, False, MESH_ANGLE)
+    mesh = BRep_Tool.Triangulation_s(face.shape, TopLoc_Location())
+    points = np.array([[p.X(), p.Y(), p.Z()] for p in (mesh.Node(k + 1) for k in range(mesh.NbNodes()))])
+    a, b, c = points[np.array([mesh.Triangle(k + 1).Get() for k in range(mesh.NbTriangles())]).T - 1]
+    return float(np.linalg.norm(np.cross(b - a, c - a), axis=-1).sum() / 2)
+
+
 @pytest.mark.parametrize("suffix", [".step", ".iges"])
 @pytest.mark.parametrize("degree", DEGREES)
 @pytest.mark.parametrize("size", SIZES)
@@ -97,6 +116,42 @@ def test_one_valid_face_of_its_degree(suffix, degree, size, tmp_path):
 @pytest.mark.parametrize("size", SIZES)
 def test_collapsed_and_closed_edges(suffix, name, size, tmp_path):
     check(special(name, size=size), tmp_path / f"a{suffix}", (6, 6))
+
+
+@pytest.mark.parametrize("suffix", [".step", ".iges"])
+@pytest.mark.parametrize(("unit", "millimetres"), [("mm", 1), ("cm", 10), ("m", 1000), ("in", 25.4)])
+def test_units_are_understood(suffix, unit, millimetres, tmp_path):
+    surface = configure(of_degree(31, 6, 6))
+    path = tmp_path / f"a{suffix}"
+    format_for(path).write(surface, path, silent, ExportOptions(unit=unit))
+    parameters, points, extent = at_random(surface.patch, 50)
+    face = read(path)
+    assert face.is_valid
+    assert np.abs(face.points(parameters) / millimetres - points).max() <= EXACT * extent
+
+
+def overlapping(seed):
+    """Return a document whose net lies over itself, as the surface then does."""
+    document = of_degree(seed, 6, 6)
+    points = random_net(seed)
+    points[3] = points[1] + 0.05 * (points[3] - points[1])
+    points[:, 3] = points[:, 1] + 0.3 * (points[:, 3] - points[:, 1])
+    return replace(document, control_points=points)
+
+
+@pytest.mark.parametrize(
+    "document",
+    [*(coinciding(name) for name in COINCIDING), *(overlapping(seed) for seed in (1, 2, 3))],
+    ids=[*COINCIDING, *(f"overlapping {seed}" for seed in (1, 2, 3))],
+)
+@pytest.mark.parametrize("layer", Layer)
+def test_corners_at_one_place_and_nets_that_overlap_themselves(layer, document, tmp_path):
+    surface = configure(document)
+    path = tmp_path / "a.step"
+    format_for(path).write(surface, path, silent, ExportOptions(layer))
+    face, patch = read(path), surface.layer_patch(layer)
+    assert face.is_valid
+    assert mesh_area(face, at_random(patch, 50)[2]) == pytest.approx(area(patch), rel=MESH_AREA)
 
 
 def test_a_picture_of_the_step_file_by_another_program(tmp_path):

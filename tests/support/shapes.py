@@ -8,6 +8,15 @@ from qovr_core import configure
 from support.documents import random_document
 
 COLLAPSED = ("v=0", "u=0", "v=0 and v=1")
+COINCIDING = {
+    "two ends of an edge": ((1, 1), (1, 3)),
+    "two ends of two edges": ((1, 1), (3, 1)),  # and (1, 3) with (3, 3)
+    "a diagonal": ((1, 1), (3, 3)),
+    "the other diagonal": ((1, 3), (3, 1)),
+    "three corners": ((1, 1), (1, 3), (3, 3)),
+    "four corners": ((1, 1), (1, 3), (3, 1), (3, 3)),
+}
+"""Corners of the surface, as points of the net, that are one place while the edges between them are none."""
 CLOSED = ("tube", "torus", "sphere", "balloon")
 
 
@@ -39,6 +48,17 @@ def special(name, seed=3, size=1.0, samples=(7, 5)):
     if name == "balloon":
         points[3] = points[:, 3] = points[1, 1]
     return replace(document, control_points=points, row_knots=tuple(rows), column_knots=tuple(columns))
+
+
+def coinciding(name, seed=3, size=1.0, samples=(7, 5)):
+    """Return an interpolating document whose surface has these corners at one place."""
+    document = of_degree(seed, 6, 6, size, samples=samples)
+    points = document.control_points.copy()
+    pairs = [COINCIDING[name]] if name != "two ends of two edges" else [((1, 1), (3, 1)), ((1, 3), (3, 3))]
+    for kept, *moved in pairs:
+        for corner in moved:
+            points[corner] = points[kept]
+    return replace(document, control_points=points)
 
 
 def at_random(patch, count=1000, seed=0):

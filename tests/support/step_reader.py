@@ -123,6 +123,11 @@ class StepFile:
         (arguments,) = self.all(name)
         return arguments
 
+    def one_entity(self, name):
+        """Return all parts of the one entity that has a part of this name."""
+        (entity,) = (entity for entity in self.entities.values() if name in entity)
+        return entity
+
     def of(self, reference):
         """Return the name and the arguments of a simple entity."""
         ((name, arguments),) = self.entities[reference.number].items()
@@ -151,10 +156,34 @@ class StepFile:
             _, (_, _, _, edge, sense) = self.of(oriented)
             _, (_, start, end, curve, same) = self.of(edge)
             assert same == ".T."
-            _, (_, degree, points, _, _, _, counts, knots, _) = self.of(curve)
+            kind, (_, in_space, in_plane, _) = self.of(curve)
+            assert (kind, len(in_plane)) in (("SURFACE_CURVE", 1), ("SEAM_CURVE", 2))
+            _, (_, degree, points, _, _, _, counts, knots, _) = self.of(in_space)
             spline = BSpline(np.repeat(knots, counts), np.array([self.coordinates(p) for p in points]), degree)
+            within = 1e-8 * np.abs(spline.c).max()
             for vertex, t in ((start, 0.0), (end, 1.0)):
                 place = self.coordinates(self.of(vertex)[1][1])
-                assert np.allclose(spline(t), place, rtol=0, atol=1e-8 * np.abs(spline.c).max())
+                assert np.allclose(spline(t), place, rtol=0, atol=within)
+            for line in map(self.parameter_line, in_plane):
+                t = np.linspace(0, 1, 21)
+                assert np.allclose(self.surface()[1](line(t)), spline(t), rtol=0, atol=within)
             curves.append(spline if sense == ".T." else lambda t, spline=spline: spline(1 - t))
         return curves
+
+    def pcurves(self):
+        """Return the references to all lines in the parameters."""
+        return [Reference(number) for number, entity in self.entities.items() if "PCURVE" in entity]
+
+    def parameter_line(self, reference):
+        """Return the line along which an edge runs in the surface's parameters, a function of 0..1."""
+        name, (_, surface, content) = self.of(reference)
+        assert name == "PCURVE"
+        assert self.of(surface)[0] == "B_SPLINE_SURFACE_WITH_KNOTS"
+        name, (_, (line,), context) = self.of(content)
+        assert name == "DEFINITIONAL_REPRESENTATION"
+        assert self.entities[context.number]["GEOMETRIC_REPRESENTATION_CONTEXT"] == [2]
+        _, (_, start, vector) = self.of(line)
+        _, (_, direction, length) = self.of(vector)
+        start, direction = np.array(self.coordinates(start)), np.array(self.of(direction)[1][1])
+        assert len(start) == len(direction) == 2
+        return lambda t: start + length * np.asarray(t)[:, None] * direction

@@ -16,13 +16,14 @@ from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
+from qovr_app.style.tick_labels import TickLabels, tick_labels
 from qovr_app.style.ticks import is_flat, tick_positions
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
-from qovr_core.number_texts import TickLabels, power_text, significant_text, tick_labels
+from qovr_core.number_texts import power_text, significant_text
 
 _WIDTH = 14.0
 _RIGHT = 78.0

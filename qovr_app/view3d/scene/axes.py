@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from qovr_app.style.tick_labels import TickLabels, tick_labels
 from qovr_app.style.ticks import tick_positions
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.frame import Frame
 from qovr_core.arrays import Array
-from qovr_core.number_texts import TickLabels, tick_labels
 
 TITLES = ("X-Axis", "Y-Axis", "Z-Axis")
 

@@ -22,7 +22,7 @@ from PySide6.QtWidgets import (
 )
 
 from qovr_core import configure
-from qovr_core.files import FORMATS, read_document, write_document
+from qovr_core.files import FORMATS, ExportOptions, export, read_document, write_document
 from qovr_core.presets import preset
 from support.documents import random_document
 from support.editor import wait_until
@@ -292,6 +292,53 @@ def test_choices_of_a_mesh_are_taken_and_checked(editor, home):
     wait_until((home / "mesh.ply").is_file)
     wait_until(lambda: "mesh.ply" in editor.message())
     assert (home / "mesh.ply").stat().st_size < 101 * 101 * 12
+
+
+@pytest.mark.parametrize(
+    ("name", "choice", "value", "suffix"),
+    [("units", "unit", "in", ".step"), ("up", "up", "z", ".obj"), ("csv_dialect", "csv_dialect", "semicolon", ".csv")],
+)
+def test_the_conventions_of_an_export_are_offered_taken_and_remembered(make_editor, home, name, choice, value, suffix):
+    from qovr_app.window.preferences import Preferences
+
+    def opened(editor):
+        editor.click("surface.export")
+        dialog = editor.dialog("export")
+        path = dialog.findChild(QLineEdit, "export.path")
+        path.selectAll()
+        QTest.keyClicks(path, str(home / f"a{suffix}"))
+        return dialog, dialog.findChild(QComboBox, f"export.{name}")
+
+    first = make_editor()
+    dialog, box = opened(first)
+    assert box.isVisible()
+    assert box.currentData() != value
+    box.setCurrentIndex(box.findData(value))
+    QTest.mouseClick(dialog.findChild(QAbstractButton, "export.start"), Qt.MouseButton.LeftButton)
+    wait_until(lambda: f"a{suffix}" in first.message())
+    export(first.document, home / f"b{suffix}", ExportOptions(**{choice: value}))
+    written, expected = ((home / f"{stem}{suffix}").read_text().splitlines()[12:] for stem in "ab")
+    assert len(written) == len(expected)
+    assert [line for line in written if "'a'" not in line] == [line for line in expected if "'b'" not in line]
+    first.window.close()
+    second = make_editor()
+    dialog, box = opened(second)
+    assert box.currentData() == value
+    QTest.keyClick(dialog, Qt.Key.Key_Escape)
+    Preferences()._store.setValue(f"export/{choice}", "nonsense")
+    assert Preferences().conventions == ExportOptions()
+
+
+@pytest.mark.parametrize(("typed", "suffix"), [("a.stp", ".step"), ("a.IGS", ".iges")])
+def test_other_names_of_a_format_choose_it(editor, home, typed, suffix):
+    editor.click("surface.export")
+    dialog = editor.dialog("export")
+    path = dialog.findChild(QLineEdit, "export.path")
+    path.selectAll()
+    QTest.keyClicks(path, str(home / typed))
+    assert dialog.findChild(QTreeWidget, "export.format").currentItem().text(1) == suffix
+    QTest.mouseClick(dialog.findChild(QAbstractButton, "export.start"), Qt.MouseButton.LeftButton)
+    wait_until((home / typed).is_file)
 
 
 def test_who_becomes_the_owner_of_a_file_is_told(editor, home, names, monkeypatch):

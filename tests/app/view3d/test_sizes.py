@@ -10,6 +10,7 @@ from PySide6.QtCore import QRectF
 
 from qovr_app.state.display import DisplaySettings, LayerChoice, Scaling, Style
 from qovr_app.style.canvas import blank_image, painting
+from qovr_app.style.tick_labels import tick_labels
 from qovr_app.style.ticks import round_limits, tick_positions
 from qovr_app.view3d.painter import axis_texts
 from qovr_app.view3d.painter import surface as painter_surface
@@ -26,7 +27,6 @@ from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Document, Evaluation
 from qovr_core.geometry.knots import Knots
 from qovr_core.layer import Layer
-from qovr_core.number_texts import tick_labels
 from support.view import choose
 
 SIZE = (700.0, 560.0)
