@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from qovr_core import Document
+from qovr_core.document import NetIndex
 from qovr_core.edits import Place, Zone
 
 Stamp = tuple[int, int]
@@ -69,13 +70,19 @@ class ZoneRead(Intent):
 
 
 @dataclass(frozen=True)
-class PointDragged(Intent):
-    """A control point is dragged; ``point`` is x, y, z in the document's units."""
+class PointsMoved(Intent):
+    """Control points are moved, and with them what the tools let follow.
 
-    i: int
-    j: int
-    point: tuple[float, float, float]
-    gesture: int
+    Parameters
+    ----------
+    indices : which; where two of them mirror each other, the first one's side leads
+    displacements : of each, x, y, z in the document's units from where it stood when the gesture began
+    gesture : 0 for none
+    """
+
+    indices: tuple[NetIndex, ...]
+    displacements: tuple[tuple[float, float, float], ...]
+    gesture: int = 0
 
 
 @dataclass(frozen=True)
