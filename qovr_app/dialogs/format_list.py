@@ -9,6 +9,7 @@ from qovr_core.files import FORMATS, Format
 
 _ROW_BEYOND_TEXT = 10
 _COLUMN_GAP = 16
+_FEWEST_ROWS = 4
 _SUFFIX_WIDTH = 64
 
 
@@ -33,7 +34,12 @@ class FormatList(QTreeWidget):
         self.resizeColumnToContents(0)
         self.setColumnWidth(0, self.columnWidth(0) + _COLUMN_GAP)
         self.setFixedWidth(self.columnWidth(0) + _SUFFIX_WIDTH)
-        self.setMinimumHeight(len(FORMATS) * row_height + 2 * self.frameWidth())
+        self._rows_height = len(FORMATS) * row_height + 2 * self.frameWidth()
+        self.setMinimumHeight(min(self._rows_height, _FEWEST_ROWS * row_height))
+
+    def sizeHint(self) -> QSize:
+        """Return the size of all formats; where the screen is low, they scroll."""
+        return QSize(super().sizeHint().width(), self._rows_height)
 
     @property
     def entry(self) -> Format:
