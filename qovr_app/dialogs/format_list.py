@@ -10,7 +10,8 @@ from qovr_core.files import FORMATS, Format
 _ROW_BEYOND_TEXT = 10
 _COLUMN_GAP = 16
 _FEWEST_ROWS = 4
-_SUFFIX_WIDTH = 64
+_LEAST_SUFFIX_WIDTH = 64
+_LONGEST_SUFFIX = ".qovr"
 
 
 class FormatList(QTreeWidget):
@@ -33,7 +34,10 @@ class FormatList(QTreeWidget):
             self.addTopLevelItem(item)
         self.resizeColumnToContents(0)
         self.setColumnWidth(0, self.columnWidth(0) + _COLUMN_GAP)
-        self.setFixedWidth(self.columnWidth(0) + _SUFFIX_WIDTH)
+        suffix_width = (
+            self.fontMetrics().horizontalAdvance(_LONGEST_SUFFIX) + self.verticalScrollBar().sizeHint().width()
+        )
+        self.setFixedWidth(self.columnWidth(0) + max(_LEAST_SUFFIX_WIDTH, suffix_width + _COLUMN_GAP))
         self._rows_height = len(FORMATS) * row_height + 2 * self.frameWidth()
         self.setMinimumHeight(min(self._rows_height, _FEWEST_ROWS * row_height))
 
