@@ -28,6 +28,7 @@ FLOORS = {
         "fields formulations",
         "document",
         "edits presets",
+        "shapes symmetry",
         "construction",
         "evaluation",
         "files laboratory report",

@@ -14,7 +14,7 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.typed import is_block, typed_number
+from qovr_app.state.typed import is_block, typed_value
 from qovr_app.widgets.bursts import Bursts
 from qovr_app.widgets.number_cell import NumberCell
 from qovr_core import QovrError
@@ -92,7 +92,7 @@ class NumberField(NumberCell):
         if not self.has_own_text:
             return self._value
         try:
-            return self._check(typed_number(self.text()), self._name)
+            return self._check(typed_value(self.text(), self._value), self._name)
         except QovrError as error:
             self._error = str(error)
             self._refresh()
