@@ -87,9 +87,8 @@ def _image(document: Document, place: Place, value: float, across: Direction) ->
         return KnotPlace(place.direction, place.curve, _REVERSED[place.name]), 1 - value
     mirror = MIRRORS[across]
     last = document.control_points.shape[mirror.axis] - 1
-    index = [place.i, place.j]
-    index[mirror.axis] = last - index[mirror.axis]
-    partner = CoordinatePlace(*index, place.axis)
+    i, j = (last - place.i, place.j) if mirror.axis == 0 else (place.i, last - place.j)
+    partner = CoordinatePlace(i, j, place.axis)
     if place.axis != mirror.coordinate and partner == place:
         return partner, value
     moved = value - value_at(document, place)
@@ -103,7 +102,8 @@ def _resting(document: Document, place: Place) -> float:
 
 def _sides(count: int) -> Array:
     """Return -1, 0 or 1 for every one of a row: on the first side, in the middle, on the last side."""
-    return np.sign(2.0 * np.arange(count) - (count - 1))
+    side: Array = np.sign(2.0 * np.arange(count) - (count - 1))
+    return side
 
 
 def _of_source(own: Array, image: Array, side: Array, source: Source) -> Array:

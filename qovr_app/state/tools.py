@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from qovr_core.geometry.knots import Direction
+
 
 class Way(StrEnum):
     """Along what a point moves that is dragged itself: its height, the view's plane, or the surface's normal."""
@@ -37,3 +39,9 @@ class ToolSettings:
     symmetry_rows: bool = False
     symmetry_columns: bool = False
     xray: bool = False
+
+    @property
+    def symmetries(self) -> tuple[Direction, ...]:
+        """Across what moves are mirrored."""
+        chosen = {Direction.ROWS: self.symmetry_rows, Direction.COLUMNS: self.symmetry_columns}
+        return tuple(direction for direction, is_on in chosen.items() if is_on)
