@@ -13,7 +13,7 @@ _CUT = "..."
 
 
 def one_line(text: str, longest: int = LONGEST_TEXT) -> str:
-    """Return a text as one short line: what is not printable escaped, what is too much left out of the middle.
+    r"""Return a text as one short line: what is not printable escaped, what is too much left out of the middle.
 
     The middle, since a message begins with a path and ends with what is expected.
 

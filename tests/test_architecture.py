@@ -23,7 +23,7 @@ MOST_METHODS = 20
 FLOORS = {
     "qovr_core": (
         "arrays cameras errors layer number_texts registry version",
-        "checks colours streams",
+        "checks colours net_edits net_moves streams",
         "geometry",
         "fields formulations",
         "document",

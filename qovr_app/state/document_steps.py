@@ -56,6 +56,12 @@ def zone_set(state: EditorState, intent: intents.ZoneSet) -> EditorState:
     return with_document(state, f"Set {ZONE_TITLES[intent.zone].lower()}", document, intent)
 
 
+def pending_set(state: EditorState, intent: intents.PendingSet) -> EditorState:
+    draft = state.pending
+    state = replace(state, draft=draft, texts=_still_typed(state.texts, state.draft, draft))
+    return with_document(state, "Set pending values", draft, intent)
+
+
 def zone_read(state: EditorState, intent: intents.ZoneRead) -> EditorState:
     texts = {place: text for place, text in state.texts.items() if edits.zone_of(place) is not intent.zone}
     return replace(state, draft=edits.copy_zone(state.document, state.draft, intent.zone), texts=texts)
@@ -109,14 +115,35 @@ def configured(state: EditorState, _intent: intents.Configured) -> EditorState:
 
 def opened(state: EditorState, intent: intents.Opened) -> EditorState:
     history = History(intent.document, saved=0 if intent.is_saved else None)
-    file = DocumentFile(intent.title, intent.path, intent.stamp, intent.preset, state.file.opening + 1)
+    file = DocumentFile(intent.title, intent.path, intent.stamp, intent.stamp, intent.preset, state.file.opening + 1)
     state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=None)
     state = with_message(state, intent.message) if intent.message else state
-    return replace(_arrived(state, history), draft=intent.document)
+    draft = intent.document if intent.draft is None else intent.draft
+    # What was typed and not set can only wait where edits wait.
+    state = replace(state, is_live=state.is_live and draft == intent.document)
+    return _surface_shown(replace(_arrived(state, history), draft=draft))
+
+
+def reloaded(state: EditorState, intent: intents.Reloaded) -> EditorState:
+    file = replace(state.file, stamp=intent.stamp, found=intent.stamp)
+    state = with_message(replace(state, file=file, gesture=None), f"Reloaded {file.title}")
+    history = state.history.pushed(f"Reload {file.title}", intent.document, None)
+    return _surface_shown(_arrived(state, history.marked_saved(history.serial)))
+
+
+def file_found(state: EditorState, intent: intents.FileFound) -> EditorState:
+    if intent.path != state.file.path or intent.stamp == state.file.found:
+        return state
+    return replace(state, file=replace(state.file, found=intent.stamp))
+
+
+def outside_kept(state: EditorState, _intent: intents.OutsideKept) -> EditorState:
+    file = replace(state.file, stamp=state.file.found)
+    return replace(state, file=file, history=state.history.marked_saved(None))
 
 
 def saved(state: EditorState, intent: intents.Saved) -> EditorState:
-    file = replace(state.file, path=intent.path, title=intent.title, stamp=intent.stamp)
+    file = replace(state.file, path=intent.path, title=intent.title, stamp=intent.stamp, found=intent.stamp)
     state = replace(state, history=state.history.marked_saved(intent.serial), file=file)
     return with_message(state, f"Saved {intent.title}")
 
@@ -138,8 +165,9 @@ def with_document(
     """Return the state whose document is another one, as one named step; refused where it has no surface."""
     if document == state.document:
         return state
+    evaluation = Evaluation(document)
     if state.is_live:
-        state = _with_evaluation(state, Evaluation(document))
+        state = _with_evaluation(state, evaluation)
     return _arrived(state, state.history.pushed(text, document, intent, gesture))
 
 
@@ -151,10 +179,15 @@ def _arrived(state: EditorState, history: History) -> EditorState:
     state = replace(state, history=history, draft=draft, texts=texts)
     if before != after and state.message and state.message.is_refusal:
         state = replace(state, message=None)
-    if not (state.is_live and state.is_stale):
+    return _surface_shown(state) if state.is_live else state
+
+
+def _surface_shown(state: EditorState) -> EditorState:
+    """Return the state that shows its document's surface, or says why there is none."""
+    if not state.is_stale:
         return state
     try:
-        return _with_evaluation(state, Evaluation(after))
+        return _with_evaluation(state, Evaluation(state.document))
     except EvaluationError as error:
         return with_message(state, f"{error}.", is_refusal=True)
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.history import History
 from qovr_app.state.intents import Stamp
+from qovr_app.state.pending import with_typed
 from qovr_app.state.tools import ToolSettings
 from qovr_core import Document, Evaluation, ParametricSurface
 from qovr_core.document import NetIndex
@@ -65,6 +66,7 @@ class DocumentFile:
     title : what to call the document
     path : the ``.qovr`` file that Save writes; None where there is none yet
     stamp : the file's when it was read or written last
+    found : the file's when it was looked at last
     preset : the name of the preset that the document was opened as, else empty
     opening : how many documents this window has opened
     """
@@ -72,8 +74,14 @@ class DocumentFile:
     title: str
     path: Path | None = None
     stamp: Stamp | None = None
+    found: Stamp | None = None
     preset: str = ""
     opening: int = 0
+
+    @property
+    def is_changed_outside(self) -> bool:
+        """Whether somebody else has written or deleted the file since."""
+        return self.path is not None and self.found != self.stamp
 
 
 @dataclass(frozen=True)
@@ -160,8 +168,18 @@ class EditorState:
 
     @property
     def is_changed(self) -> bool:
-        """Whether there is something that was never saved."""
-        return not self.history.is_saved
+        """Whether there is something that was never saved, be it typed and not set."""
+        return not self.history.is_saved or self.has_pending
+
+    @property
+    def pending(self) -> Document:
+        """The document as it would be if all that is typed were set."""
+        return with_typed(self.draft, self.texts)
+
+    @property
+    def has_pending(self) -> bool:
+        """Whether numbers are typed that are not set."""
+        return (self.draft is not self.document or bool(self.texts)) and self.pending != self.document
 
     @property
     def is_stale(self) -> bool:
@@ -200,9 +218,11 @@ def _over_net(document: Document, of_net: Document) -> Document:
     return copy_zone(of_net, document, Zone.CONTROL_POINTS)
 
 
-def first_state(document: Document, file: DocumentFile, display: DisplaySettings) -> EditorState:
+def first_state(
+    document: Document, file: DocumentFile, display: DisplaySettings, tools: ToolSettings | None = None
+) -> EditorState:
     """Return the state with which a window begins, before its surface is configured."""
-    return EditorState(History(document), document, file, display=display)
+    return EditorState(History(document), document, file, display=display, tools=tools or ToolSettings())
 
 
 def with_message(state: EditorState, text: str, *, is_refusal: bool = False) -> EditorState:

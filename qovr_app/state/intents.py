@@ -19,8 +19,9 @@ from qovr_core.geometry.knots import Direction
 from qovr_core.net_edits import NetEdit
 from qovr_core.symmetry import Source
 
-Stamp = tuple[int, int]
-"""When a file was last written, in nanoseconds, and its size: together they tell whether it is another one."""
+Stamp = tuple[int, ...]
+"""When a file was last written, in nanoseconds, its size, and its number in the file system: together they tell whether
+it is another one."""
 
 
 class Intent:
@@ -63,6 +64,11 @@ class ZoneSet(Intent):
 
     zone: Zone
     typed: Mapping[Place, float]
+
+
+@dataclass(frozen=True)
+class PendingSet(Intent):
+    """All that is typed and not set becomes that of the document."""
 
 
 @dataclass(frozen=True)
@@ -194,6 +200,7 @@ class Opened(Intent):
     path : the ``.qovr`` file that Save writes; None where there is none yet
     preset : the name of the preset that it is, else empty
     is_saved : whether it lies in a file as it is, or need not
+    draft : the document with what was typed over it and not set; None where nothing was
     """
 
     document: Document
@@ -203,6 +210,7 @@ class Opened(Intent):
     preset: str = ""
     is_saved: bool = True
     message: str = ""
+    draft: Document | None = None
 
 
 @dataclass(frozen=True)
@@ -213,3 +221,24 @@ class Saved(Intent):
     title: str
     serial: int
     stamp: Stamp | None = None
+
+
+@dataclass(frozen=True)
+class FileFound(Intent):
+    """The document's file was looked at again; ``stamp`` is None where there is none any more."""
+
+    path: Path
+    stamp: Stamp | None
+
+
+@dataclass(frozen=True)
+class Reloaded(Intent):
+    """The document's file was read again; what stood here before can be had back by Undo."""
+
+    document: Document
+    stamp: Stamp | None
+
+
+@dataclass(frozen=True)
+class OutsideKept(Intent):
+    """The document stays as it is, whatever lies in its file now: Save will replace that."""

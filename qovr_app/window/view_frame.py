@@ -76,6 +76,7 @@ class ViewFrame(QWidget):
         if self._view is not None:
             self._view.display(shown_of(after))
             if before is not None and before.file.opening != after.file.opening:
+                self._view.drop_drags()
                 look_at_opened(self._view, after.file.preset)
 
     def look(self, request: CameraAsked) -> None:

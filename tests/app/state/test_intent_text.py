@@ -67,6 +67,8 @@ EXAMPLES = {
     ),
     looking_intents.RangeFixed: st.builds(looking_intents.RangeFixed, NUMBERS, NUMBERS),
     intents.Saved: st.builds(intents.Saved, st.text("abc/.", min_size=1).map(Path), st.text(), GESTURES),
+    intents.FileFound: st.builds(intents.FileFound, st.just(Path("a")), st.none() | st.just((1, 2, 3))),
+    intents.Reloaded: st.just(intents.Reloaded(preset("fig6d").document, (1, 2, 3))),
     intents.Opened: st.just(intents.Opened(preset("fig6d").document, "a", None, (1, 2), message="b")),
     requests.DocumentAsked: st.just(requests.DocumentAsked(preset("fig8").document, "fig8")),
 }

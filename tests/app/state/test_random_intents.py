@@ -10,7 +10,7 @@ from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
 from qovr_app.store import Store
-from qovr_core import FORMULATIONS
+from qovr_core import FORMULATIONS, Evaluation, EvaluationError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
 from qovr_core.net_edits import Align, Flatten, Smooth, Transform
 from qovr_core.presets import preset, presets
@@ -63,11 +63,20 @@ def some(rng):
     )
 
 
+def has_surface(document):
+    try:
+        Evaluation(document)
+    except EvaluationError:
+        return False
+    return True
+
+
 def check(state):
     """What holds in every state."""
     assert state.evaluation is not None
     if state.is_live:
-        assert not state.is_stale
+        # back where edits waited, the document may be one that has no surface
+        assert not state.is_stale or not has_surface(state.document)
         assert state.draft == state.document
     assert state.is_stale == (state.evaluation.document != state.document)
     for place in state.texts:

@@ -2,7 +2,9 @@
 
 import pytest
 
-from qovr_app.state.typed import typed_number, typed_value
+from qovr_app.state.typed_numbers import typed_value
+from qovr_core import DocumentError
+from qovr_core.checks import checked_number
 
 
 @pytest.mark.parametrize(
@@ -28,17 +30,19 @@ from qovr_app.state.typed import typed_number, typed_value
     ],
 )
 def test_a_calculation_is_worked_out(text, number):
-    assert typed_value(text, 0.7) == number
+    assert typed_value(text, "X", checked_number, 0.7) == number
 
 
-@pytest.mark.parametrize(
-    "text", ["abc", "+", "1+", "1/0", "/0", "--1", "-+1", "1 2", "1 2+3", "5%", "1_0", "0x10", "nan"]
-)
-def test_what_is_no_calculation_comes_back_to_be_refused(text):
-    assert typed_value(text, 0.7) == text
+NONE = ["", "abc", "+", "1+", "1/0", "/0", "--1", "-+1", "1 2", "1 2+3", "5%", "1_0", "0x10", "nan", "1e999*2"]
 
 
-def test_nothing_is_nothing_and_a_cell_of_a_block_is_never_a_calculation():
-    assert typed_value("  ", 0.7) is None
-    assert typed_number("+0.1") == 0.1
-    assert typed_number("1/3") == "1/3"
+@pytest.mark.parametrize("text", [*NONE, "1+" * 500 + "1"])
+def test_what_is_no_calculation_is_refused(text):
+    with pytest.raises(DocumentError, match="; expected a "):
+        typed_value(text, "X", checked_number, 0.7)
+
+
+def test_a_cell_of_a_block_is_never_a_calculation():
+    assert typed_value("+0.1", "X", checked_number) == 0.1
+    with pytest.raises(DocumentError):
+        typed_value("1/3", "X", checked_number)
