@@ -128,6 +128,8 @@ class MainWindow(QMainWindow):
             self._facts.setText(_facts_text(after))
         if before is not None and self._preferences and after.display != before.display:
             self._preferences.note_display(before.display, after.display)
+        if before is not None and self._preferences and after.tools != before.tools:
+            self._preferences.note_tools(before.tools, after.tools)
         if after.differs(before, "history", "file", "draft", "texts"):
             self.setWindowTitle(f"{title_text(after.file.title)}[*] - {NAME}")
             self.setWindowModified(after.is_changed)
@@ -201,10 +203,11 @@ class MainWindow(QMainWindow):
 def _state_of(opened: Opened, preferences: Preferences | None) -> EditorState:
     """Return the state with which a window begins that shows what was opened."""
     display = DisplaySettings(theme=theme_in_force().name)
+    tools = None
     if preferences:
-        display = preferences.display(display)
+        display, tools = preferences.display(display), preferences.tools
     file = DocumentFile(opened.title, opened.path, opened.stamp, opened.stamp)
-    return first_state(opened.document, file, display)
+    return first_state(opened.document, file, display, tools)
 
 
 def _facts_text(state: EditorState) -> str:
