@@ -6,7 +6,7 @@ import os
 from math import prod
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Qt
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtWidgets import (
     QAbstractButton,
     QDialogButtonBox,
@@ -22,6 +22,7 @@ from PySide6.QtWidgets import (
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.export_choices import ExportChoices
 from qovr_app.dialogs.format_list import FormatList
+from qovr_app.dialogs.room import resize_within_screen
 from qovr_app.dialogs.target import ask_for_target, stands
 from qovr_app.dialogs.writing_dialog import WritingDialog
 from qovr_app.widgets.parts import named
@@ -99,7 +100,7 @@ class ExportDialog(WritingDialog):
         layout.addWidget(self.note)
         layout.addWidget(self.bar)
         layout.addWidget(without_icons(self._buttons))
-        self.resize(_WIDTH, self.sizeHint().height())
+        resize_within_screen(self, QSize(_WIDTH, self.sizeHint().height()))
 
     def _connect(self) -> None:
         self._formats.currentItemChanged.connect(self._on_format_chosen)

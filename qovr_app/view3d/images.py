@@ -52,7 +52,8 @@ def figure_writer(seen: Sequence[tuple[Viewport, Picture]], *, refit: bool) -> F
     refit : fit each camera to the figure's shape, as the view fits it to the window's
     """
     at_rest = [
-        (viewport, viewport.logical_size, replace(picture, moving=False, hovered=None)) for viewport, picture in seen
+        (viewport, viewport.logical_size, replace(picture, moving=False, hovered=None, hand=None))
+        for viewport, picture in seen
     ]
 
     def write(path: Path, options: FigureOptions, progress: Progress, in_gui: InGui) -> None:
