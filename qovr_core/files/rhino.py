@@ -4,8 +4,12 @@ from __future__ import annotations
 
 import base64
 import mmap
+import struct
+import zlib
+from datetime import datetime
 from pathlib import Path
 from typing import Any, BinaryIO
+from uuid import UUID, uuid5
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
@@ -17,7 +21,7 @@ from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, origin
+from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
 
 DOCUMENT_KEY = "qovr.document"
@@ -25,6 +29,15 @@ DOCUMENT_KEY = "qovr.document"
 _MAGIC = b"3D Geometry File Format "
 _KEY_IN_FILE = f"{DOCUMENT_KEY}\0".encode("utf-16-le")
 """openNURBS writes a string as a count of its 16-bit characters, then these, the last one a zero."""
+
+_HISTORY_BYTES = 81
+_HISTORY = struct.pack("<Iq", 0x20008021, _HISTORY_BYTES)
+"""How the record of a revision history begins whose names are empty: its code and its length."""
+_TIMES = (5, 41)
+"""Where in it the times stand, of its making and of its last change, each eight 32-bit numbers; zeros are no time."""
+
+_IDS = UUID("5d1a6bfe-6f0c-4e0f-9a53-6d0f1f4e7c11")
+"""Of which the ids of layers and objects are made, with their names and the document: openNURBS takes any at random."""
 
 SURFACE_LAYER, NET_LAYER, POINTS_LAYER = "Surface", "Control net", "Control points"
 
@@ -38,11 +51,40 @@ def write_3dm(evaluation: Evaluation, path: Path, progress: Progress, options: E
     """
     patch = bspline.chosen_patch(evaluation, options, path)
     progress(0.0)
-    content = base64.b64decode(_model(evaluation, bspline.control_points(patch), options).Encode())
+    content = _dated(base64.b64decode(_model(evaluation, bspline.control_points(patch), options).Encode()))
     progress(0.5)
     with replacing(path) as (draft,):
         draft.write_bytes(content)
         progress(1.0)
+
+
+def _dated(content: bytes) -> bytes:
+    """Return a file with both times of its revision history set to the one that it is to tell, or to none.
+
+    openNURBS writes the present time there and gives no way to set another.
+    """
+    start = content.index(_HISTORY) + len(_HISTORY)
+    history = bytearray(content[start : start + _HISTORY_BYTES])
+    made = timestamp()
+    for place in _TIMES:
+        struct.pack_into("<8i", history, place, *(_calendar(made) if made else (0,) * 8))
+    struct.pack_into("<I", history, len(history) - 4, zlib.crc32(history[:-4]))
+    return content[:start] + bytes(history) + content[start + len(history) :]
+
+
+def _calendar(time: datetime) -> tuple[int, ...]:
+    """Return a time as C has it: months count from 0, years from 1900, days of the week from Sunday."""
+    day = time.timetuple()
+    return (
+        day.tm_sec,
+        day.tm_min,
+        day.tm_hour,
+        day.tm_mday,
+        day.tm_mon - 1,
+        day.tm_year - 1900,
+        (day.tm_wday + 1) % 7,
+        day.tm_yday - 1,
+    )
 
 
 def read_3dm(path: Path) -> Document:
@@ -94,15 +136,18 @@ def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any
     import rhino3dm
 
     document = evaluation.document
+    text = document_to_json(document)
     model = rhino3dm.File3dm()
     model.ApplicationName = PROGRAM
     model.Settings.ModelUnitSystem = getattr(rhino3dm.UnitSystem, _UNIT_SYSTEMS[options.unit])
     model.Settings.ModelAbsoluteTolerance = bspline.uncertainty(points)
     layers = {name: model.Layers.AddLayer(name, colour) for name, colour in _LAYERS.items()}
+    for name, index in layers.items():
+        model.Layers[index].Id = uuid5(_IDS, f"{name}{text}")
 
     def named(name: str, layer: str) -> Any:
         attributes = rhino3dm.ObjectAttributes()
-        attributes.Name = name
+        attributes.Name, attributes.Id = name, uuid5(_IDS, f"{layer}/{name}{text}")
         attributes.LayerIndex = layers[layer]
         return attributes
 
@@ -116,7 +161,7 @@ def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any
     for i, row in enumerate(net):
         for j, point in enumerate(row):
             model.Objects.Add(rhino3dm.Point(point), named(f"P{i},{j}", POINTS_LAYER))
-    model.Strings[DOCUMENT_KEY] = document_to_json(document)
+    model.Strings[DOCUMENT_KEY] = text
     model.Strings["qovr.origin"] = origin(evaluation, options)
     model.Strings["qovr.formulation"] = str(document.formulation)
     return model

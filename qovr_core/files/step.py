@@ -60,10 +60,11 @@ STEP = Format(
 
 
 def _header(path: Path, description: str) -> str:
+    made = timestamp()
     return (
         "ISO-10303-21;\nHEADER;\n"
         f"FILE_DESCRIPTION(({quoted(description)}),'2;1');\n"
-        f"FILE_NAME({quoted(path.name)},'{timestamp().isoformat()}',(''),(''),{quoted(PROGRAM)},{quoted(PROGRAM)},'');\n"
+        f"FILE_NAME({quoted(path.name)},'{made.isoformat() if made else ''}',(''),(''),{quoted(PROGRAM)},{quoted(PROGRAM)},'');\n"
         f"FILE_SCHEMA(('{SCHEMA}'));\nENDSEC;\n"
     )
 

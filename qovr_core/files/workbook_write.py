@@ -18,7 +18,7 @@ from qovr_core.files.atomic import replacing, scratch_folder, unwritable
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM
+from qovr_core.files.provenance import PROGRAM, timestamp_insisted_on
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.files.workbook_read import read_workbook
 from qovr_core.geometry.knots import knot_array
@@ -97,7 +97,7 @@ def _write(evaluation: Evaluation, draft: Path, scratch: Path, progress: Progres
     import xlsxwriter
 
     book = xlsxwriter.Workbook(str(draft), {"constant_memory": True, "tmpdir": str(scratch)})
-    book.set_properties({"title": "QOVR surface", "comments": f"Made by {PROGRAM}"})
+    book.set_properties({"title": "QOVR surface", "comments": f"Made by {PROGRAM}", "created": timestamp_insisted_on()})
     sheet = book.add_worksheet("QOVR surface")
     count = len(evaluation.u) * len(evaluation.v)
     for row, cells in enumerate(_rows(evaluation), start=layout.TITLE_ROW - 1):
