@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from qovr_app.window.screenshot import add_screenshot_command
-from qovr_core import cli
+from qovr_core import QovrError, cli
+from qovr_core.files.sources import PRESET_PREFIX, read_source, source_suffixes
 
 if TYPE_CHECKING:
     from qovr_app.window.main_window import MainWindow
@@ -33,25 +36,64 @@ def create_window(path: str | None = None) -> MainWindow:
 
     Parameters
     ----------
-    path : a ``.qovr`` file, a workbook in the published layout, or ``paper:NAME``; None for the paper's example
-
-    Raises
-    ------
-    QovrError : the source cannot be read
+    path : a ``.qovr`` file, a workbook in the published layout, or ``paper:NAME``; None for the paper's example,
+        which is also shown where the source cannot be read: then the message line says why. What is large comes when
+        the window is shown.
     """
+    from PySide6.QtCore import QTimer
+
+    from qovr_app.state.looking_intents import MessageShown
+    from qovr_app.state.requests import SourceAsked
     from qovr_app.window.main_window import MainWindow
     from qovr_app.window.preferences import Preferences
     from qovr_app.window.recovery import RecoveryStore
+    from qovr_app.window.sources import is_large
 
-    window = MainWindow(None if path is None else str(path), Preferences())
+    preferences = Preferences()
+    source, refusal = None if path is None else str(path), preferences.complaint
+    comes_late = source is not None and is_large(source)
+    try:
+        window = MainWindow(None if comes_late else source, preferences)
+    except (QovrError, OSError, ValueError) as error:
+        refusal = f"{error}."
+        window = MainWindow(None, preferences)
     window.protect(RecoveryStore())
+    if refusal:
+        window.store.dispatch(MessageShown(refusal, is_refusal=True))
+    if comes_late and source is not None:
+        QTimer.singleShot(0, window, lambda: window.store.dispatch(SourceAsked(source)))
     return window
 
 
 def _edit(arguments: argparse.Namespace) -> int:
     from qovr_app.window.application import make_application
+    from qovr_app.window.signals import EndSignals
 
+    if arguments.source is not None:
+        _check_call(arguments.source)
     application = make_application(sys.argv)
     window = create_window(arguments.source)
+    ends, codes = EndSignals(application), []
+
+    def end(number: int) -> None:
+        codes.append(cli.SIGNALLED + number)
+        window.end()
+        application.exit()
+
+    ends.came.connect(end)
     window.show()
-    return application.exec()
+    code = application.exec()
+    ends.close()
+    return codes[0] if codes else code
+
+
+def _check_call(source: str) -> None:
+    """Refuse a word that can only be a mistyped command; whatever else cannot be read, the window says.
+
+    Raises
+    ------
+    SourceError : the word names no file, and nothing that could be one
+    """
+    is_meant = source.startswith(PRESET_PREFIX) or Path(source).suffix.lower() in source_suffixes()
+    if not is_meant and not os.path.lexists(source):
+        read_source(source)

@@ -7,7 +7,7 @@ from typing import TypeGuard
 
 import numpy as np
 
-from qovr_core.errors import DocumentError
+from qovr_core.errors import LONGEST_QUOTE, DocumentError, one_line
 
 LARGEST_MAGNITUDE = 1e12
 """Beyond this a coordinate is taken for a mistake, not for a shape."""
@@ -15,7 +15,14 @@ LARGEST_MAGNITUDE = 1e12
 SAMPLES_RANGE = (2, 4096)
 """Fewest and most samples along one parameter."""
 
-_LONGEST_QUOTE = 60
+
+class Verbatim(str):
+    """What stands in a file where a value belongs and is none, such as ``#DIV/0!``: shown without quotes."""
+
+    __slots__ = ()
+
+    def __repr__(self) -> str:
+        return str(self)
 
 
 def _is_real(value: object) -> TypeGuard[float]:
@@ -30,11 +37,13 @@ def described(value: object) -> str:
         return f"a list of {len(value)} entries"
     if value is None:
         return "empty"
+    if isinstance(value, np.ndarray) and value.size != 1:
+        return f"an array of {value.size} entries"
     try:
         text = repr(value.item() if hasattr(value, "item") else value)
     except ValueError:  # an integer with more digits than Python agrees to print
         return "an absurdly long number"
-    return text if len(text) <= _LONGEST_QUOTE else text[:_LONGEST_QUOTE] + "..."
+    return one_line(text, LONGEST_QUOTE)
 
 
 def checked_number(value: object, place: str) -> float:

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import argparse
 import logging
-import os
-import signal
 import sys
+import traceback
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
 from qovr_core.commands import compare, export, figures, info, presets, reproduce, verify
 from qovr_core.commands.common import DONE, SOURCE_HELP, WRONG
-from qovr_core.errors import QovrError
+from qovr_core.errors import QovrError, reason_of
 from qovr_core.files.atomic import LOGGER
+from qovr_core.streams import Interrupted, forsake, interruptible, mend_streams, say
 from qovr_core.version import VERSION
 
-_INTERRUPTED = 130
+SIGNALLED = 128
+"""Exit codes after a signal are this and its number: 130 after Ctrl-C, 143 after SIGTERM."""
 
 _COMMANDS = (export, figures, reproduce, verify, compare, presets, info)
 """In the order in which the help lists them."""
@@ -25,10 +26,16 @@ Command = Callable[[argparse.Namespace], int]
 
 
 class _Parser(argparse.ArgumentParser):
-    """A parser whose errors are one line."""
+    """A parser whose errors are one line, and whose options are written out."""
+
+    def __init__(self, *arguments: Any, **options: Any) -> None:
+        super().__init__(*arguments, **{"allow_abbrev": False, **options})
 
     def error(self, message: str) -> NoReturn:
         raise QovrError(f"{message} (see '{self.prog} --help')")
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        print(message, end="", file=file)  # argparse would keep silent where that fails
 
 
 def main(argv: Sequence[str] | None = None) -> int:
@@ -39,32 +46,18 @@ def main(argv: Sequence[str] | None = None) -> int:
 def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
     """Run one of a parser's commands and return its exit code.
 
-    0 done, 1 the answer is no, 2 the call or its input is wrong; errors are one line on stderr.
+    0 done, 1 the answer is no, 2 the call or its input is wrong, 130 and 143 after Ctrl-C and SIGTERM; errors are one
+    line on stderr.
     """
-    _make_streams_robust()
-    signal.signal(signal.SIGTERM, _interrupt)
+    mend_streams()
     notices = _Notices(logging.WARNING)
     LOGGER.addHandler(notices)
     try:
-        arguments = parser.parse_args(argv)
-        command: Command = arguments.command
-        code = command(arguments)
-        sys.stdout.flush()
-        return code
-    except QovrError as error:
-        return _complain(str(error))
-    except MemoryError:
-        return _complain("there is not enough memory for this; ask for fewer samples")
-    except KeyboardInterrupt:
-        _complain("interrupted; no unfinished file is left")
-        return _INTERRUPTED
-    except BrokenPipeError:
-        # The reader has gone, as in "qovr info ... | head": not an error, and nothing may be flushed any more.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return DONE
-    except OSError as error:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return _complain(f"the answer cannot be written: {error.strerror}")
+        with interruptible():
+            return _exit_code(parser, argv)
+    except Interrupted as interrupt:
+        say("interrupted; no unfinished file is left")
+        return SIGNALLED + interrupt.number
     finally:
         LOGGER.removeHandler(notices)
 
@@ -79,29 +72,41 @@ def build_parser() -> tuple[argparse.ArgumentParser, Any]:
     return parser, commands
 
 
-def _interrupt(_signal: int, _frame: object) -> NoReturn:
-    raise KeyboardInterrupt
+def _exit_code(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
+    """Run a command; whatever ends it is said in one line."""
+    try:
+        code = _answer(parser, argv)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        forsake(sys.stdout)  # the reader has gone, as in "qovr info ... | head": no error
+        return DONE
+    except QovrError as error:
+        say(str(error))
+    except MemoryError:
+        say("there is not enough memory for this; ask for fewer samples")
+    except OSError as error:
+        forsake(sys.stdout)
+        what = "the answer cannot be written" if error.filename is None else f"{error.filename}: cannot be used"
+        say(f"{what}: {reason_of(error)}")
+    except Exception as error:
+        place = traceback.extract_tb(error.__traceback__)[-1]
+        say(f"an error of the program: {type(error).__name__}: {reason_of(error)} ({place.name}, line {place.lineno})")
+    else:
+        return code
+    return WRONG
 
 
-def _make_streams_robust() -> None:
-    """Let a file name that is no valid text be printed rather than raise."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="backslashreplace")
+def _answer(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
+    try:
+        arguments = parser.parse_args(argv)
+        command: Command = arguments.command
+        return command(arguments)
+    except SystemExit as end:  # after --help and --version
+        return int(end.code or DONE)
 
 
 class _Notices(logging.Handler):
     """Says on stderr what a user ought to know although all went well."""
 
     def emit(self, record: logging.LogRecord) -> None:
-        _say(record.getMessage())
-
-
-def _complain(text: str) -> int:
-    _say(text)
-    return WRONG
-
-
-def _say(text: str) -> None:
-    line = "".join(character if character.isprintable() else "?" for character in text)
-    print(f"qovr: {line}", file=sys.stderr)
+        say(record.getMessage())

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, read_only
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import EvaluationError
@@ -43,6 +43,21 @@ def curve_network(document: Document) -> CurveNetwork:
     """
     rows, columns = network_curves(*document_arrays(document), document.formulation.kernel_decimals)
     return CurveNetwork(rows, columns)
+
+
+def surface_rounding(document: Document) -> Array:
+    """Return up to what size a coordinate of a document's raw surface is no more than rounding, (3,) for x, y and z.
+
+    It is measured by what is added up, not by what comes out: of a net about the origin, sums cancel.
+
+    Examples
+    --------
+    >>> net = [[[j - 2, i, 0] for j in range(5)] for i in range(5)]
+    >>> surface_rounding(Document(net)) < 1e-12
+    array([ True,  True,  True])
+    """
+    with np.errstate(all="ignore"):  # what overflows is all rounding, and what underflows has its least size
+        return read_only(document.formulation.rounding(*document_arrays(document)))
 
 
 def build_patch(document: Document) -> Patch:

@@ -9,10 +9,11 @@ from typing import Any, Final, TypeVar
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.construction import CurveNetwork, build_patch, curve_network
+from qovr_core.construction import CurveNetwork, build_patch, curve_network, surface_rounding
 from qovr_core.document import Document
 from qovr_core.geometry.alignment import Alignment, align, bounding_box
 from qovr_core.geometry.patch import Patch
+from qovr_core.geometry.rounding import NOISE
 from qovr_core.layer import Layer
 
 _T = TypeVar("_T")
@@ -86,6 +87,17 @@ class Evaluation:
         return self._alignment.flat_axes
 
     @property
+    def rounding(self) -> Array:
+        """Up to what size a raw coordinate, or a difference of two, is no more than rounding, (3,) for x, y and z."""
+        return self._once("rounding", lambda: surface_rounding(self.document))
+
+    def layer_rounding(self, layer: Layer) -> Array:
+        """Return up to what size a coordinate of a layer, or a difference of two, is no more than rounding, (3,)."""
+        if layer is Layer.RAW:
+            return self.rounding
+        return read_only(self.matrix.diagonal()[:3] * self.rounding + NOISE * np.abs(self.matrix[:3, 3]))
+
+    @property
     def transformed_patch(self) -> Patch:
         """The transformed surface, exact."""
         return self._once("transformed_patch", lambda: self.patch.transformed(self.matrix))
@@ -126,7 +138,7 @@ class Evaluation:
 
     @property
     def _alignment(self) -> Alignment:
-        return self._once("alignment", lambda: align(self.raw_box, self.control_box))
+        return self._once("alignment", lambda: align(self.raw_box, self.control_box, self.rounding))
 
     def _sampled_raw(self) -> Array:
         """Compute the raw samples, and with them their box at little cost."""

@@ -21,7 +21,7 @@ ROBUST_PERCENTILES = (2.0, 98.0)
 """Between these lies what a robust range shows: a few samples beside a singular point do not bleach the rest."""
 
 _ROUNDING = 1e-11
-"""Part of the largest coordinate, over the size of the surface, below which positions and curvatures are rounding."""
+"""Part of the largest coordinate below which differences of positions count as rounding, at the least."""
 
 Range = tuple[float, float]
 """The values at the two ends of the colours."""
@@ -231,14 +231,16 @@ def field_range(field: Field, values: Array, *, robust: bool, least: float = 0.0
     return (middle, middle) if abs(middle) > least else (0.0, 0.0)
 
 
-def field_rounding(field: Field, points: Array) -> float:
+def field_rounding(field: Field, points: Array, rounding: npt.ArrayLike = 0.0) -> float:
     """Return the size below which a field's values, or their differences, are rounding.
 
     Parameters
     ----------
     points : (..., 3) of the surface, for its size and its distance from the origin
+    rounding : (3,) of its coordinates, where that is known to be more (``Evaluation.layer_rounding``)
     """
     flat = points.reshape(-1, 3)
     largest, extent = float(np.abs(flat).max()), hypot(*np.ptp(flat, axis=0))
     size = extent or largest or 1.0
-    return _ROUNDING * (largest / size or 1.0) * size**field.length_power
+    noise = max(_ROUNDING * (largest or size), float(np.max(rounding)))
+    return noise / size * size**field.length_power

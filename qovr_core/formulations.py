@@ -14,10 +14,13 @@ from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.geometry.network import (
     boolean_sum,
     boolean_sum_slope,
+    boolean_sum_summands,
     network_curves,
     product_slope,
+    product_summands,
     product_surface,
 )
+from qovr_core.geometry.rounding import LEAST_NOISE, NOISE
 from qovr_core.layer import Layer
 from qovr_core.registry import Record, Registry
 
@@ -36,6 +39,9 @@ _LAST_ROW = 4
 
 Build = Callable[[Array, Array, Array], Array]
 """Called with net (..., k, l, 3), row knots (..., k, 4) and column knots (..., l, 4); see ``Formulation``."""
+
+Summands = Callable[[Array, Array, Array], Array]
+"""Called as a ``Build``; see ``Formulation``."""
 
 Slope = Callable[[Array, Array, Array, KnotPlace], Array]
 """Called with net (k, l, 3), row knots (k, 4), column knots (l, 4), and which of them; see ``Formulation``."""
@@ -57,6 +63,8 @@ class Formulation(Record):
     kernel_decimals : to how many decimals the inverse kernels are cut; None where they are exact
     resting_layer : the layer that lies on the control net
     is_as_claimed : whether it is the surface that the paper's claims describe
+    summands : gives, for what ``build`` is given, how large all that is added up to a coordinate is together, (..., 3):
+        the scale of its rounding, however much of it cancels. None has it taken from ``build``, far on the safe side
 
     Raises
     ------
@@ -82,6 +90,7 @@ class Formulation(Record):
     kernel_decimals: int | None = None
     resting_layer: Layer = Layer.TRANSFORMED
     is_as_claimed: bool = False
+    summands: Summands | None = None
 
     table: ClassVar[Registry[Formulation]] = Registry("formulation")
     PUBLISHED: ClassVar[Formulation]
@@ -104,6 +113,32 @@ class Formulation(Record):
     def active_names(self, direction: Direction) -> list[str]:
         """Return the names of the active curves of a direction, as ``C_4``; none where every curve is active."""
         return [direction.curve_name(curve) for curve in self.active_curves(direction) or ()]
+
+    def rounding(self, net: Array, row_knots: Array, column_knots: Array) -> Array:
+        """Return up to what size a coordinate of the raw surfaces, or a difference of two, is no more than rounding.
+
+        Parameters
+        ----------
+        net, row_knots, column_knots : (..., k, l, 3), (..., k, 4) and (..., l, 4)
+
+        Returns
+        -------
+        (..., 3) float64, above 0, for x, y and z
+        """
+        summands = self.summands or self._numerical_summands
+        rounding: Array = np.maximum(NOISE * summands(net, row_knots, column_knots), LEAST_NOISE)
+        return rounding
+
+    def _numerical_summands(self, net: Array, row_knots: Array, column_knots: Array) -> Array:
+        """Return how far the surfaces move in all when each point is doubled, as often as there are points."""
+        before = self.build(net, row_knots, column_knots)
+        total = np.zeros_like(before)
+        for i, j in np.ndindex(net.shape[-3:-1]):
+            doubled = net.copy()
+            doubled[..., i, j, :] *= 2
+            total += np.abs(self.build(doubled, row_knots, column_knots) - before)
+        moved: Array = net.shape[-3] * net.shape[-2] * total.max(axis=(-2, -3))
+        return moved
 
     def knot_slope(self, net: Array, row_knots: Array, column_knots: Array, place: KnotPlace) -> Array:
         """Return the derivative of the raw surface with respect to one knot, as patch coefficients (7, 7, 3).
@@ -150,12 +185,14 @@ Formulation.PUBLISHED = Formulation(
     slope=partial(product_slope, entering_rows=slice(_LAST_ROW, None)),
     active_rows=(_LAST_ROW,),
     kernel_decimals=PUBLISHED_KERNEL_DECIMALS,
+    summands=partial(product_summands, kernel_decimals=PUBLISHED_KERNEL_DECIMALS, entering_rows=slice(_LAST_ROW, None)),
 )
 Formulation.DOUBLE_SUM = Formulation(
     name="double-sum",
     description="The paper's equations as printed: the sum of the row curves times the sum of the columns.",
     build=_double_sum,
     slope=product_slope,
+    summands=product_summands,
 )
 Formulation.INTERPOLATING = Formulation(
     name="interpolating",
@@ -164,6 +201,7 @@ Formulation.INTERPOLATING = Formulation(
     slope=boolean_sum_slope,
     resting_layer=Layer.RAW,
     is_as_claimed=True,
+    summands=boolean_sum_summands,
 )
 
 FORMULATIONS = Formulation.table

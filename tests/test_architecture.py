@@ -23,7 +23,7 @@ MOST_METHODS = 20
 FLOORS = {
     "qovr_core": (
         "arrays cameras errors layer number_texts registry version",
-        "checks colours",
+        "checks colours streams",
         "geometry",
         "fields formulations",
         "document",
@@ -35,6 +35,7 @@ FLOORS = {
         "figures",
         "commands",
         "cli",
+        "__main__",
     ),
     "qovr_app": (
         "state work",
@@ -43,6 +44,7 @@ FLOORS = {
         "zones view3d laboratory dialogs",
         "window",
         "main",
+        "__main__",
     ),
     "qovr_app.view3d": (
         "scene failures",

@@ -6,7 +6,7 @@ from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
 
 from qovr_app.state import intents
-from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_layer_in_place, with_message
+from qovr_app.state.editor_state import DocumentFile, EditorState, Selection, with_layer_in_place, with_message
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
@@ -26,14 +26,14 @@ def values_edited(state: EditorState, intent: intents.ValuesEdited) -> EditorSta
             )
             wanted |= dict.fromkeys(linked, value)
     text = edit_text(list(wanted))
-    return _edited(state, text, lambda document: edits.set_values(document, wanted), intent, intent.gesture)
+    return edited(state, text, lambda document: edits.set_values(document, wanted), intent, intent.gesture)
 
 
 def values_pasted(state: EditorState, intent: intents.ValuesPasted) -> EditorState:
     zones = dict.fromkeys(edits.zone_of(place) for place in intent.values)
     text = "Paste " + " and ".join(ZONE_TITLES[zone].lower() for zone in zones)
     state = replace(state, texts=_without(state.texts, intent.values))
-    return _edited(state, text, lambda document: edits.set_values(document, intent.values), intent)
+    return edited(state, text, lambda document: edits.set_values(document, intent.values), intent)
 
 
 def text_typed(state: EditorState, intent: intents.TextTyped) -> EditorState:
@@ -49,7 +49,13 @@ def zone_set(state: EditorState, intent: intents.ZoneSet) -> EditorState:
     draft = edits.set_values(state.draft, intent.typed)
     document = edits.copy_zone(draft, state.document, intent.zone)
     state = replace(state, draft=draft, texts=_without(state.texts, intent.typed))
-    return _set(state, f"Set {ZONE_TITLES[intent.zone].lower()}", document, intent)
+    return with_document(state, f"Set {ZONE_TITLES[intent.zone].lower()}", document, intent)
+
+
+def pending_set(state: EditorState, intent: intents.PendingSet) -> EditorState:
+    draft = state.pending
+    state = replace(state, draft=draft, texts=_still_typed(state.texts, state.draft, draft))
+    return with_document(state, "Set pending values", draft, intent)
 
 
 def zone_read(state: EditorState, intent: intents.ZoneRead) -> EditorState:
@@ -59,29 +65,12 @@ def zone_read(state: EditorState, intent: intents.ZoneRead) -> EditorState:
 
 def formulation_chosen(state: EditorState, intent: intents.FormulationChosen) -> EditorState:
     document = edits.set_formulation(state.document, FORMULATIONS[intent.name])
-    return _set(state, f"Choose {intent.name}", document, intent)
+    return with_document(state, f"Choose {intent.name}", document, intent)
 
 
 def samples_chosen(state: EditorState, intent: intents.SamplesChosen) -> EditorState:
     n, m = intent.samples
-    return _set(state, f"Set samples {n} × {m}", edits.set_samples(state.document, intent.samples), intent)
-
-
-def point_dragged(state: EditorState, intent: intents.PointDragged) -> EditorState:
-    def move(document: Document) -> Document:
-        return edits.set_point(document, intent.i, intent.j, intent.point)
-
-    gesture = _gesture(state, intent.gesture)
-    moved = _set(state, f"Move P {intent.i},{intent.j}", move(state.document), intent, intent.gesture)
-    # A drag sets the document even where edits wait; what is typed over the point is where the hand has put it.
-    return replace(moved, draft=move(moved.draft), gesture=gesture)
-
-
-def _gesture(state: EditorState, number: int) -> Gesture:
-    """Return the gesture of a number: the one in hand, or one that begins here."""
-    if state.gesture is not None and state.gesture.number == number:
-        return state.gesture
-    return Gesture(number, state.history, state.draft)
+    return with_document(state, f"Set samples {n} × {m}", edits.set_samples(state.document, intent.samples), intent)
 
 
 def gesture_ended(state: EditorState, _intent: intents.GestureEnded) -> EditorState:
@@ -112,7 +101,7 @@ def live_switched(state: EditorState, intent: intents.LiveSwitched) -> EditorSta
     state = replace(state, is_live=intent.is_live)
     if not intent.is_live:
         return state
-    state = _set(state, "Set pending values", state.draft, intent)
+    state = with_document(state, "Set pending values", state.draft, intent)
     return configured(state, intents.Configured()) if state.is_stale else state
 
 
@@ -122,14 +111,35 @@ def configured(state: EditorState, _intent: intents.Configured) -> EditorState:
 
 def opened(state: EditorState, intent: intents.Opened) -> EditorState:
     history = History(intent.document, saved=0 if intent.is_saved else None)
-    file = DocumentFile(intent.title, intent.path, intent.stamp, intent.preset, state.file.opening + 1)
+    file = DocumentFile(intent.title, intent.path, intent.stamp, intent.stamp, intent.preset, state.file.opening + 1)
     state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=None)
     state = with_message(state, intent.message) if intent.message else state
-    return replace(_arrived(state, history), draft=intent.document)
+    draft = intent.document if intent.draft is None else intent.draft
+    # What was typed and not set can only wait where edits wait.
+    state = replace(state, is_live=state.is_live and draft == intent.document)
+    return _surface_shown(replace(_arrived(state, history), draft=draft))
+
+
+def reloaded(state: EditorState, intent: intents.Reloaded) -> EditorState:
+    file = replace(state.file, stamp=intent.stamp, found=intent.stamp)
+    state = with_message(replace(state, file=file, gesture=None), f"Reloaded {file.title}")
+    history = state.history.pushed(f"Reload {file.title}", intent.document, None)
+    return _surface_shown(_arrived(state, history.marked_saved(history.serial)))
+
+
+def file_found(state: EditorState, intent: intents.FileFound) -> EditorState:
+    if intent.path != state.file.path or intent.stamp == state.file.found:
+        return state
+    return replace(state, file=replace(state.file, found=intent.stamp))
+
+
+def outside_kept(state: EditorState, _intent: intents.OutsideKept) -> EditorState:
+    file = replace(state.file, stamp=state.file.found)
+    return replace(state, file=file, history=state.history.marked_saved(None))
 
 
 def saved(state: EditorState, intent: intents.Saved) -> EditorState:
-    file = replace(state.file, path=intent.path, title=intent.title, stamp=intent.stamp)
+    file = replace(state.file, path=intent.path, title=intent.title, stamp=intent.stamp, found=intent.stamp)
     state = replace(state, history=state.history.marked_saved(intent.serial), file=file)
     return with_message(state, f"Saved {intent.title}")
 
@@ -137,20 +147,23 @@ def saved(state: EditorState, intent: intents.Saved) -> EditorState:
 # The one way
 
 
-def _edited(state: EditorState, text: str, edit: Edit, intent: intents.Intent, gesture: int = 0) -> EditorState:
+def edited(state: EditorState, text: str, edit: Edit, intent: intents.Intent, gesture: int = 0) -> EditorState:
     """Return the state after an edit of the document, or of the draft where edits wait."""
     if state.is_live:
-        return _set(state, text, edit(state.document), intent, gesture)
+        return with_document(state, text, edit(state.document), intent, gesture)
     draft = edit(state.draft)
     return replace(state, draft=draft, texts=_still_typed(state.texts, state.draft, draft))
 
 
-def _set(state: EditorState, text: str, document: Document, intent: intents.Intent, gesture: int = 0) -> EditorState:
+def with_document(
+    state: EditorState, text: str, document: Document, intent: intents.Intent, gesture: int = 0
+) -> EditorState:
     """Return the state whose document is another one, as one named step; refused where it has no surface."""
     if document == state.document:
         return state
+    evaluation = Evaluation(document)
     if state.is_live:
-        state = _with_evaluation(state, Evaluation(document))
+        state = _with_evaluation(state, evaluation)
     return _arrived(state, state.history.pushed(text, document, intent, gesture))
 
 
@@ -162,10 +175,15 @@ def _arrived(state: EditorState, history: History) -> EditorState:
     state = replace(state, history=history, draft=draft, texts=texts)
     if before != after and state.message and state.message.is_refusal:
         state = replace(state, message=None)
-    if not (state.is_live and state.is_stale):
+    return _surface_shown(state) if state.is_live else state
+
+
+def _surface_shown(state: EditorState) -> EditorState:
+    """Return the state that shows its document's surface, or says why there is none."""
+    if not state.is_stale:
         return state
     try:
-        return _with_evaluation(state, Evaluation(after))
+        return _with_evaluation(state, Evaluation(state.document))
     except EvaluationError as error:
         return with_message(state, f"{error}.", is_refusal=True)
 

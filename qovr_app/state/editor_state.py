@@ -10,6 +10,8 @@ from pathlib import Path
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.history import History
 from qovr_app.state.intents import Stamp
+from qovr_app.state.pending import with_typed
+from qovr_app.state.tools import ToolSettings
 from qovr_core import Document, Evaluation, ParametricSurface
 from qovr_core.document import NetIndex
 from qovr_core.edits import Place, Zone, copy_zone, value_at
@@ -64,6 +66,7 @@ class DocumentFile:
     title : what to call the document
     path : the ``.qovr`` file that Save writes; None where there is none yet
     stamp : the file's when it was read or written last
+    found : the file's when it was looked at last
     preset : the name of the preset that the document was opened as, else empty
     opening : how many documents this window has opened
     """
@@ -71,8 +74,14 @@ class DocumentFile:
     title: str
     path: Path | None = None
     stamp: Stamp | None = None
+    found: Stamp | None = None
     preset: str = ""
     opening: int = 0
+
+    @property
+    def is_changed_outside(self) -> bool:
+        """Whether somebody else has written or deleted the file since."""
+        return self.path is not None and self.found != self.stamp
 
 
 @dataclass(frozen=True)
@@ -105,6 +114,7 @@ class EditorState:
     evaluation : the surface configured last; None where there is none
     is_live : whether edits are set at once and the surface follows
     links_curves, links_directions : whether a knot is edited on all curves of its direction, and on both directions
+    window : the window (a, b) of the net that the zones show, counted along v and u
     selection : the selected control points
     fields : of every zone the field that had the keyboard last
     knot : the knot whose field had the keyboard last
@@ -112,6 +122,7 @@ class EditorState:
     measured_point : the control point that was selected last, whether or not it still is
     reference : from which distances are taken
     comparison : what the surface is compared with
+    tools : how control points are picked and moved
     display : how the surface is shown
     colours_before : what coloured the surface before the distance map; empty without one
     panel : the panel of the laboratory that is shown; empty for none
@@ -129,6 +140,7 @@ class EditorState:
     is_live: bool = True
     links_curves: bool = True
     links_directions: bool = False
+    window: tuple[int, int] = (0, 0)
     selection: Selection = Selection()
     fields: Mapping[Zone, Place] = field(default_factory=dict)
     knot: KnotPlace | None = None
@@ -136,6 +148,7 @@ class EditorState:
     measured_point: NetIndex = DEFAULT_POINT
     reference: Reference | None = None
     comparison: ComparisonChoice = ComparisonChoice()
+    tools: ToolSettings = field(default_factory=ToolSettings)
     display: DisplaySettings = field(default_factory=DisplaySettings)
     colours_before: str = ""
     panel: str = ""
@@ -148,10 +161,25 @@ class EditorState:
         """The active state of the document."""
         return self.history.document
 
+    def document_before(self, gesture: int) -> Document:
+        """Return the document from which a gesture's moves are counted: where it began, or as it stands."""
+        is_in_hand = self.gesture is not None and self.gesture.number == gesture
+        return self.gesture.history.document if self.gesture and is_in_hand else self.document
+
     @property
     def is_changed(self) -> bool:
-        """Whether there is something that was never saved."""
-        return not self.history.is_saved
+        """Whether there is something that was never saved, be it typed and not set."""
+        return not self.history.is_saved or self.has_pending
+
+    @property
+    def pending(self) -> Document:
+        """The document as it would be if all that is typed were set."""
+        return with_typed(self.draft, self.texts)
+
+    @property
+    def has_pending(self) -> bool:
+        """Whether numbers are typed that are not set."""
+        return (self.draft is not self.document or bool(self.texts)) and self.pending != self.document
 
     @property
     def is_stale(self) -> bool:

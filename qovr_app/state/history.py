@@ -115,8 +115,8 @@ class History:
         """Return the history one step forward."""
         return replace(self, index=min(self.index + 1, len(self.steps)))
 
-    def marked_saved(self, serial: int) -> History:
-        """Return the history with the document of a serial as the one in the file."""
+    def marked_saved(self, serial: int | None) -> History:
+        """Return the history with the document of a serial as the one in the file; None where none is."""
         return replace(self, saved=serial)
 
     def _can_grow(self, gesture: int) -> bool:

@@ -1,7 +1,7 @@
 """The text form of intents, which reads back: a session of clicks can be written down, sent, and replayed.
 
-One line of JSON an intent: ``{"is": "PointDragged", "i": 2, ...}``. Whatever is inside is written the same way: a
-dataclass by its name and fields, a choice by its kind and value, a mapping by its pairs.
+One line of JSON an intent: ``{"is": "PointsMoved", "indices": [[2, 3]], ...}``. Whatever is inside is written the same
+way: a dataclass by its name and fields, a choice by its kind and value, a mapping by its pairs.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from qovr_app.state import display, intents, looking_intents, requests
+from qovr_app.state import display, intents, looking_intents, requests, tools
 from qovr_app.state.intents import Intent
 from qovr_core import Document, edits
 from qovr_core.errors import DocumentError
@@ -23,7 +23,7 @@ _KIND, _VALUE = "is", "value"
 
 _KINDS: dict[str, Any] = {
     name: kind
-    for module in (intents, looking_intents, requests, display, edits)
+    for module in (intents, looking_intents, requests, display, tools, edits)
     for name, kind in vars(module).items()
     if isinstance(kind, type) and (is_dataclass(kind) or issubclass(kind, Enum))
 }

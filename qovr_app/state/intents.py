@@ -13,10 +13,12 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from qovr_core import Document
+from qovr_core.document import NetIndex
 from qovr_core.edits import Place, Zone
 
-Stamp = tuple[int, int]
-"""When a file was last written, in nanoseconds, and its size: together they tell whether it is another one."""
+Stamp = tuple[int, ...]
+"""When a file was last written, in nanoseconds, its size, and its number in the file system: together they tell whether
+it is another one."""
 
 
 class Intent:
@@ -62,6 +64,11 @@ class ZoneSet(Intent):
 
 
 @dataclass(frozen=True)
+class PendingSet(Intent):
+    """All that is typed and not set becomes that of the document."""
+
+
+@dataclass(frozen=True)
 class ZoneRead(Intent):
     """A zone of the document comes back into the draft."""
 
@@ -69,13 +76,19 @@ class ZoneRead(Intent):
 
 
 @dataclass(frozen=True)
-class PointDragged(Intent):
-    """A control point is dragged; ``point`` is x, y, z in the document's units."""
+class PointsMoved(Intent):
+    """Control points are moved, and with them what the tools let follow.
 
-    i: int
-    j: int
-    point: tuple[float, float, float]
-    gesture: int
+    Parameters
+    ----------
+    indices : which; where two of them mirror each other, the first one's side leads
+    displacements : of each, x, y, z in the document's units from where it stood when the gesture began
+    gesture : 0 for none
+    """
+
+    indices: tuple[NetIndex, ...]
+    displacements: tuple[tuple[float, float, float], ...]
+    gesture: int = 0
 
 
 @dataclass(frozen=True)
@@ -154,6 +167,7 @@ class Opened(Intent):
     path : the ``.qovr`` file that Save writes; None where there is none yet
     preset : the name of the preset that it is, else empty
     is_saved : whether it lies in a file as it is, or need not
+    draft : the document with what was typed over it and not set; None where nothing was
     """
 
     document: Document
@@ -163,6 +177,7 @@ class Opened(Intent):
     preset: str = ""
     is_saved: bool = True
     message: str = ""
+    draft: Document | None = None
 
 
 @dataclass(frozen=True)
@@ -173,3 +188,24 @@ class Saved(Intent):
     title: str
     serial: int
     stamp: Stamp | None = None
+
+
+@dataclass(frozen=True)
+class FileFound(Intent):
+    """The document's file was looked at again; ``stamp`` is None where there is none any more."""
+
+    path: Path
+    stamp: Stamp | None
+
+
+@dataclass(frozen=True)
+class Reloaded(Intent):
+    """The document's file was read again; what stood here before can be had back by Undo."""
+
+    document: Document
+    stamp: Stamp | None
+
+
+@dataclass(frozen=True)
+class OutsideKept(Intent):
+    """The document stays as it is, whatever lies in its file now: Save will replace that."""

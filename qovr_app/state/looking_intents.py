@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 
 from qovr_app.state.intents import Intent
 from qovr_core.document import NetIndex
 from qovr_core.edits import Place
 
 
+class Picking(StrEnum):
+    """What picked points do to the selection."""
+
+    REPLACE = "replace"
+    ADD = "add"
+    TOGGLE = "toggle"
+
+
 @dataclass(frozen=True)
 class Selected(Intent):
-    """These control points are selected, ``last`` the latest of them; none at all where ``last`` is None."""
+    """These control points are picked, ``last`` the latest of them; none at all where ``last`` is None."""
 
     last: NetIndex | None
     others: tuple[NetIndex, ...] = ()
+    picking: Picking = Picking.REPLACE
 
 
 @dataclass(frozen=True)
@@ -27,6 +37,14 @@ class FieldFocused(Intent):
 @dataclass(frozen=True)
 class DisplayChosen(Intent):
     """One of the display settings, by its field of ``DisplaySettings``."""
+
+    setting: str
+    value: object
+
+
+@dataclass(frozen=True)
+class ToolChosen(Intent):
+    """One of the tools' settings, by its field of ``ToolSettings``."""
 
     setting: str
     value: object

@@ -8,6 +8,7 @@ from typing import Any
 from qovr_app.state import looking_intents
 from qovr_app.state.display import ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
+from qovr_app.state.looking_intents import Picking
 from qovr_core import Layer, QovrError
 from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, zone_of
@@ -17,30 +18,40 @@ DRAG_HINT = "Drag: in the view plane. Hold X, Y or Z: along that axis. Esc: put 
 
 
 def selected(state: EditorState, intent: looking_intents.Selected) -> EditorState:
-    last = intent.last
-    if last is None:
+    picked = () if intent.last is None else (intent.last, *intent.others)
+    before = state.selection.points if intent.picking is not Picking.REPLACE else frozenset()
+    points = before ^ frozenset(picked) if intent.picking is Picking.TOGGLE else before | frozenset(picked)
+    if not points:
         return replace(state, selection=Selection(), message=None)
-    state = _with_point(state, last, intent.others)
-    return with_message(state, "P {},{}.  {}".format(*last, DRAG_HINT))
+    latest = next((index for index in (intent.last, state.selection.last) if index in points), None) or min(points)
+    state = _with_points(state, latest, points)
+    if len(points) > 1:
+        return with_message(state, f"{len(points)} points are selected.")
+    return with_message(state, "P {},{}.  {}".format(*latest, DRAG_HINT))
 
 
 def field_focused(state: EditorState, intent: looking_intents.FieldFocused) -> EditorState:
     place = intent.place
     state = replace(state, fields={**state.fields, zone_of(place): place})
     if isinstance(place, CoordinatePlace):
-        return _with_point(state, (place.i, place.j))
+        point = (place.i, place.j)
+        return _with_points(state, point, frozenset((point,)))
     return replace(state, knot=place, knot_came_last=True)
 
 
-def _with_point(state: EditorState, last: NetIndex, others: tuple[NetIndex, ...] = ()) -> EditorState:
-    selection = Selection(last, frozenset((last, *others)))
-    return replace(state, selection=selection, measured_point=last, knot_came_last=False)
+def _with_points(state: EditorState, last: NetIndex, points: frozenset[NetIndex]) -> EditorState:
+    return replace(state, selection=Selection(last, points), measured_point=last, knot_came_last=False)
 
 
 def display_chosen(state: EditorState, intent: looking_intents.DisplayChosen) -> EditorState:
     before = state.colours_before if intent.setting != "colour_by" else ""
     changes: dict[str, Any] = {intent.setting: intent.value}
     return replace(state, display=replace(state.display, **changes), colours_before=before)
+
+
+def tool_chosen(state: EditorState, intent: looking_intents.ToolChosen) -> EditorState:
+    changes: dict[str, Any] = {intent.setting: intent.value}
+    return replace(state, tools=replace(state.tools, **changes))
 
 
 def range_fixed(state: EditorState, intent: looking_intents.RangeFixed) -> EditorState:

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
+from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, Place, Zone
 from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS
@@ -51,6 +54,11 @@ def knot_meaning(place: KnotPlace) -> str:
 
 def _point(place: KnotPlace, k: int) -> str:
     return f"P {place.curve},{k}" if place.direction is Direction.ROWS else f"P {k},{place.curve}"
+
+
+def points_text(indices: Collection[NetIndex]) -> str:
+    """Return control points as a step names them: "P 2,3", or "4 points"."""
+    return "P {},{}".format(*next(iter(indices))) if len(indices) == 1 else f"{len(indices)} points"
 
 
 def edit_text(places: list[Place]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from qovr_app.state import document_steps, intents, looking_intents, looking_steps
+from qovr_app.state import document_steps, intents, looking_intents, looking_steps, point_steps
 from qovr_app.state.editor_state import EditorState
 
 _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = {
@@ -14,8 +14,9 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.ValuesPasted: document_steps.values_pasted,
     intents.TextTyped: document_steps.text_typed,
     intents.ZoneSet: document_steps.zone_set,
+    intents.PendingSet: document_steps.pending_set,
     intents.ZoneRead: document_steps.zone_read,
-    intents.PointDragged: document_steps.point_dragged,
+    intents.PointsMoved: point_steps.points_moved,
     intents.GestureEnded: document_steps.gesture_ended,
     intents.GestureCancelled: document_steps.gesture_cancelled,
     intents.FormulationChosen: document_steps.formulation_chosen,
@@ -28,9 +29,13 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.DirectionsLinked: lambda state, intent: replace(state, links_directions=intent.is_linked),
     intents.Opened: document_steps.opened,
     intents.Saved: document_steps.saved,
+    intents.FileFound: document_steps.file_found,
+    intents.Reloaded: document_steps.reloaded,
+    intents.OutsideKept: document_steps.outside_kept,
     looking_intents.Selected: looking_steps.selected,
     looking_intents.FieldFocused: looking_steps.field_focused,
     looking_intents.DisplayChosen: looking_steps.display_chosen,
+    looking_intents.ToolChosen: looking_steps.tool_chosen,
     looking_intents.RangeFixed: looking_steps.range_fixed,
     looking_intents.ReferencePinned: looking_steps.reference_pinned,
     looking_intents.ReferenceUnpinned: looking_steps.reference_unpinned,

@@ -39,6 +39,11 @@ class SaveAsked(Request):
 
 
 @dataclass(frozen=True)
+class ReloadAsked(Request):
+    """Read the document's file again."""
+
+
+@dataclass(frozen=True)
 class ExportAsked(Request):
     """Ask for a format and a file, and write the configured surface."""
 

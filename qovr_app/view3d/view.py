@@ -113,6 +113,8 @@ class View3D(QWidget):
     def display(self, shown: Shown) -> None:
         """Show this from now on. The camera stays where it is."""
         before, self._shown = self._shown, shown
+        if before.dragging > shown.dragging and self._viewports.is_dragging:
+            self.drop_drags()
         self._scenes.update(shown)
         if before.viewports != shown.viewports:
             self._viewports.arrange(shown.viewports)
@@ -122,6 +124,10 @@ class View3D(QWidget):
             self._refinement.move()
         elif shown.differs_visibly(before):
             self._show()
+
+    def drop_drags(self) -> None:
+        """Let go of what is pressed or dragged: it is no longer there."""
+        self._viewports.drop_drags()
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""

@@ -73,6 +73,16 @@ class Viewports(QObject):
         """Give the viewports their places in the widget now."""
         self._layout.setGeometry(self._parent.rect())
 
+    def drop_drags(self) -> None:
+        """Let go of what is pressed or dragged, without a word: whoever the drag was for has ended it."""
+        for interactor in self._interactors:
+            interactor.dragger.drop()
+
+    @property
+    def is_dragging(self) -> bool:
+        """Whether a point is being moved in one of them."""
+        return any(interactor.dragger.is_dragging for interactor in self._interactors)
+
     def show(self) -> None:
         """Bring the pictures of the moment into the viewports."""
         for k, viewport in enumerate(self.in_use):

@@ -1,66 +1,54 @@
-"""Opening and saving: asks for files, reads and writes them, and says how it went. What came of it is an intent."""
+"""Opening and saving: asks for files, has them read and written, and says how it went. What came of it is an intent."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
 
-from PySide6.QtWidgets import QFileDialog, QMessageBox, QWidget
+from PySide6.QtWidgets import QFileDialog, QWidget
 
+from qovr_app.dialogs.question import Answer, ask
+from qovr_app.dialogs.target import ask_for_target
+from qovr_app.dialogs.waiting import GivenUpError, at_work, patiently
 from qovr_app.state import requests
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import Opened, Saved, Stamp
+from qovr_app.state.intents import FileFound, Opened, PendingSet, Reloaded, Saved
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.store import Store
 from qovr_app.window.application import NAME
 from qovr_app.window.folder import Folder
 from qovr_app.window.shell import Answers
+from qovr_app.window.sources import (
+    DOCUMENT_SUFFIX,
+    file_stamp,
+    opened_by_worker,
+    opened_if_small,
+    written_document,
+)
+from qovr_app.work.worker import Worker
 from qovr_core import QovrError
-from qovr_core.files import read_source, source_suffixes, write_document
-from qovr_core.files.sources import PRESET_PREFIX
-
-DOCUMENT_SUFFIX = ".qovr"
-
-
-def opened_source(source: str) -> Opened:
-    """Return what came of opening a ``.qovr`` file, a workbook in the published layout, or ``paper:NAME``.
-
-    Raises
-    ------
-    QovrError : the source cannot be read
-    """
-    document = read_source(source)
-    if source.startswith(PRESET_PREFIX):
-        name = source.removeprefix(PRESET_PREFIX)
-        return Opened(document, name, preset=name, message=f"Opened {name}")
-    path = Path(source).resolve()
-    own = path if path.suffix.lower() == DOCUMENT_SUFFIX else None
-    return Opened(document, path.name, own, file_stamp(path), message=f"Opened {path.name}")
-
-
-def file_stamp(path: Path) -> Stamp | None:
-    """Return when a file was last written and its size; None where it cannot be told."""
-    try:
-        found = path.stat()
-    except OSError:
-        return None
-    return found.st_mtime_ns, found.st_size
+from qovr_core.files import source_suffixes
 
 
 class DocumentShell:
-    """Asks for documents and reads and writes them; says how it went.
+    """Asks for documents and has them read and written; says how it went.
 
     Parameters
     ----------
+    worker : reads what is large
     commit_typed : takes what is just being typed, as leaving the field would
     """
 
-    def __init__(self, store: Store, window: QWidget, folder: Folder, commit_typed: Callable[[], None]) -> None:
-        self._store, self._window, self._folder, self._commit_typed = store, window, folder, commit_typed
+    def __init__(
+        self, store: Store, window: QWidget, folder: Folder, worker: Worker, commit_typed: Callable[[], None]
+    ) -> None:
+        self._store, self._window, self._folder, self._worker = store, window, folder, worker
+        self._commit_typed = commit_typed
         self.answers: Answers = {
             requests.OpenAsked: self._ask_for_source,
             requests.SourceAsked: self._open_source,
             requests.DocumentAsked: self._open_document,
+            requests.ReloadAsked: self._reload,
             requests.SaveAsked: self._save,
             requests.RecentCleared: lambda _asked: folder.clear_recent(),
         }
@@ -83,14 +71,24 @@ class DocumentShell:
         """Open a file or a preset, after asking about unsaved changes; what cannot be read changes nothing."""
         if not self.may_leave():
             return
-        try:
-            opened = opened_source(request.source)
-        except QovrError as error:
-            self._say(f"{error}.", is_refusal=True)
+        opened = self._read(request.source)
+        if opened is None:
             return
         if not opened.preset:
             self._folder.note_document(Path(request.source))
-        self._store.dispatch(opened)
+        self._take(opened)
+
+    def _read(self, source: str) -> Opened | None:
+        """Return what came of reading a source; None, and a sentence, where nothing did."""
+        name = Path(source).name
+        try:
+            opened: Opened | None = patiently(self._window, f"Opening {name}…", opened_if_small, source)
+            if opened is None:
+                opened = at_work(self._window, self._worker, f"Opening {name}…", opened_by_worker, source)
+        except QovrError as error:
+            self._refuse(error)
+            return None
+        return opened
 
     def _open_document(self, request: requests.DocumentAsked) -> None:
         """Open a document that the program made, after asking about unsaved changes."""
@@ -100,8 +98,19 @@ class DocumentShell:
         """Take a document over, after asking about unsaved changes; return whether it was taken."""
         may_leave = self.may_leave()
         if may_leave:
-            self._store.dispatch(opened)
+            self._take(opened)
         return may_leave
+
+    def _take(self, opened: Opened) -> None:
+        self._store.dispatch(opened)
+        self._store.flush()  # nothing that was meant for the document before may reach this one
+
+    def _reload(self, _request: requests.ReloadAsked) -> None:
+        """Read the document's file again; Undo brings back what stood here before."""
+        path = self._state.file.path
+        if path is not None and (opened := self._read(str(path))) is not None:
+            self._store.dispatch(Reloaded(opened.document, opened.stamp))
+            self._store.flush()
 
     # Saving
 
@@ -111,43 +120,64 @@ class DocumentShell:
         path = self._state.file.path
         if path is None or request.elsewhere:
             path = self._asked_path()
+        elif not self._may_write_over(path):
+            return False
         return path is not None and self._save_to(path)
 
     def may_leave(self) -> bool:
-        """Ask about unsaved changes; return whether the document may go."""
+        """Ask about what is not saved, typed numbers included; return whether the document may go."""
         if not self._state.is_changed:
             return True
-        button = QMessageBox.StandardButton
-        answer = QMessageBox.question(
-            self._window,
-            NAME,
-            f"Save the changes to {self._state.file.title}?",
-            button.Save | button.Discard | button.Cancel,
-            button.Save,
-        )
-        if answer == button.Save:
-            return self._save(requests.SaveAsked())
-        return answer == button.Discard
+        text = f"Save the changes to {self._state.file.title}?"
+        if self._state.has_pending:
+            text += "\nNumbers are typed that are not set; Save sets them first."
+        answers = dict.fromkeys((Answer.Save, Answer.Discard, Answer.Cancel), "")
+        answer = ask(self._window, NAME, text, answers, Answer.Save)
+        if answer == Answer.Save:
+            return self._store.dispatch(PendingSet()) is None and self._save(requests.SaveAsked())
+        return answer == Answer.Discard
+
+    def _may_write_over(self, path: Path) -> bool:
+        """Return whether the document's file may be replaced: as it was left here, or after a question."""
+        try:
+            self._store.dispatch(FileFound(path, patiently(self._window, f"Saving {path.name}…", file_stamp, path)))
+        except GivenUpError as error:
+            self._refuse(error)
+            return False
+        except QovrError:
+            return True  # writing will say why
+        file = self._state.file
+        if not file.is_changed_outside:
+            return True
+        if file.found is None:
+            text, answers = f"{path} was deleted or moved. Save it there again?", {Answer.Save: ""}
+        else:
+            text = f"{path} was changed by another program since it was read. Overwrite it?"
+            answers = {Answer.Save: "&Overwrite", Answer.Open: "&Reload"}
+        answer = ask(self._window, NAME, text, {**answers, Answer.Cancel: ""}, Answer.Cancel)
+        if answer == Answer.Open:
+            self._reload(requests.ReloadAsked())
+        return answer == Answer.Save
 
     def _asked_path(self) -> Path | None:
         first = self._folder.stem(self._state.file.title).with_suffix(DOCUMENT_SUFFIX)
-        kind = f"QOVR documents (*{DOCUMENT_SUFFIX})"
-        name, _ = QFileDialog.getSaveFileName(self._window, "Save As", str(first), kind)
-        if not name:
-            return None
-        path = Path(name)
-        return path if path.suffix.lower() == DOCUMENT_SUFFIX else path.with_name(path.name + DOCUMENT_SUFFIX)
+        return ask_for_target(self._window, "Save As", first, {DOCUMENT_SUFFIX: "QOVR documents"})
 
     def _save_to(self, path: Path) -> bool:
         state = self._state
         try:
-            write_document(state.document, path)
+            place, stamp = patiently(self._window, f"Saving {path.name}…", written_document, state.document, path)
         except QovrError as error:
-            self._say(f"{error}.", is_refusal=True)
+            self._refuse(error)
             return False
         self._folder.note_document(path)
-        self._store.dispatch(Saved(path.resolve(), path.name, state.history.serial, file_stamp(path)))
+        self._store.dispatch(Saved(place, path.name, state.history.serial, stamp))
+        if self._state.has_pending:
+            self._say(f"Saved {path.name}, without what is typed and not set.")
         return True
+
+    def _refuse(self, error: QovrError) -> None:
+        self._say(f"{error}.", is_refusal=True)
 
     def _say(self, text: str, *, is_refusal: bool = False) -> None:
         self._store.dispatch(MessageShown(text, is_refusal))

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QEvent, QSize, QTimer
+from PySide6.QtCore import QByteArray, QEvent, QSize, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
-from qovr_app.state.intents import Configured
+from qovr_app.state.intents import Configured, Opened
 from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.state.requests import SourceAsked
 from qovr_app.store import Store
@@ -18,17 +18,21 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
-from qovr_app.window.document_shell import DocumentShell, opened_source
+from qovr_app.window.document_shell import DocumentShell
 from qovr_app.window.export_shell import ExportShell
 from qovr_app.window.folder import Folder
 from qovr_app.window.layout import Layout
 from qovr_app.window.layout_shell import LayoutShell
 from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
 from qovr_app.window.message_line import MessageLine
+from qovr_app.window.outside import FileWatch, OutsideOffer
+from qovr_app.window.placing import fit_into_screen
 from qovr_app.window.preferences import Preferences
-from qovr_app.window.recovery import RecoveryStore, RecoveryWriter
+from qovr_app.window.recovery import RecoveryStore
 from qovr_app.window.recovery_offer import RecoveryOffer
+from qovr_app.window.recovery_writer import RecoveryWriter
 from qovr_app.window.shell import Shell
+from qovr_app.window.sources import opened_source
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
 from qovr_core.files import source_suffixes
@@ -62,17 +66,18 @@ class MainWindow(QMainWindow):
         self._preferences = preferences
         self._recovery: RecoveryWriter | None = None
         turn = QTimer(self, singleShot=True, interval=0)
-        self.store = Store(_state_of(source or _FIRST_SOURCE, preferences), turn.start)
+        self.store = Store(_state_of(opened_source(source or _FIRST_SOURCE), preferences), turn.start)
         turn.timeout.connect(self.store.flush)
         self.worker, self._notices = Worker(self), Notices(self)
         self.parts = Layout(self.store, self.worker, self)
         folder, commit = Folder(preferences), self.parts.commit_typed
-        self._documents = DocumentShell(self.store, self, folder, commit)
+        self._documents = DocumentShell(self.store, self, folder, self.worker, commit)
         save_view = self.parts.view_frame.save_figure
         exports = ExportShell(
             self.store, self, folder, self.worker, preferences, save_view=save_view, commit_typed=commit
         )
-        self._offer = RecoveryOffer(self._documents, self.store.dispatch, self)
+        self._offer = RecoveryOffer(self._documents, self.store, self.worker, self)
+        self._outside, self._watch = OutsideOffer(self.store, self), FileWatch(self.store, self)
         parts = LayoutShell(self.store, self.parts, self)
         shell = Shell(parts.answers, self._documents.answers, exports.answers, self._offer.answers)
         self.store.answer_with(shell.perform)
@@ -85,7 +90,8 @@ class MainWindow(QMainWindow):
         self._restore_layout()
         self.store.dispatch(Configured())
         self.store.flush()
-        for show in (*self.parts.shows, self._actions.show_state, self._message.show_state, self._show_state):
+        own = (self._actions.show_state, self._message.show_state, self._outside.show_state, self._show_state)
+        for show in (*self.parts.shows, *own):
             self.store.subscribe(show)
 
     @property
@@ -98,7 +104,7 @@ class MainWindow(QMainWindow):
         self._recovery = RecoveryWriter(recovery, self.worker, self)
         self._recovery.failed.connect(lambda reason: self.store.dispatch(MessageShown(reason, is_refusal=True)))
         self.store.subscribe(self._recovery.show_state)
-        self._offer.offer(recovery)
+        self._offer.offer(recovery, self._recovery)
 
     def _assemble(self, folder: Folder) -> None:
         self.parts.add_bars(make_edit_bar(self._actions, self), make_view_bar(self._actions, self))
@@ -107,6 +113,7 @@ class MainWindow(QMainWindow):
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
         layout.addWidget(self._offer.notice)
+        layout.addWidget(self._outside.notice)
         layout.addWidget(self.parts, 1)
         self.setCentralWidget(middle)
         menus = fill_menu_bar(self.menuBar(), self._actions)
@@ -119,7 +126,9 @@ class MainWindow(QMainWindow):
     def _show_state(self, before: EditorState | None, after: EditorState) -> None:
         if after.differs(before, "document", "evaluation"):
             self._facts.setText(_facts_text(after))
-        if after.differs(before, "history", "file"):
+        if before is not None and self._preferences and after.display != before.display:
+            self._preferences.note_display(before.display, after.display)
+        if after.differs(before, "history", "file", "draft", "texts"):
             self.setWindowTitle(f"{after.file.title}[*] - {NAME}")
             self.setWindowModified(after.is_changed)
 
@@ -141,13 +150,17 @@ class MainWindow(QMainWindow):
             self.restoreGeometry(self._preferences.bytes_of("geometry"))
             for name in self.parts.layout_states():
                 self.parts.restore_layout(name, self._preferences.bytes_of(name))
+        fit_into_screen(self)
+        self._places = self._layout_states()
+
+    def _layout_states(self) -> dict[str, QByteArray]:
+        return {"geometry": self.saveGeometry(), **self.parts.layout_states()}
 
     def _remember_layout(self) -> None:
-        if self._preferences:
-            self._preferences.set_bytes("geometry", self.saveGeometry())
-            for name, state in self.parts.layout_states().items():
+        """Remember what was moved here: what stayed may have been moved in another copy of the program."""
+        for name, state in self._layout_states().items():
+            if self._preferences and state != self._places[name]:
                 self._preferences.set_bytes(name, state)
-            self._preferences.set_display(self.store.state.display)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
         if _dropped_source(event):
@@ -162,22 +175,32 @@ class MainWindow(QMainWindow):
         if not self._documents.may_leave():
             event.ignore()
             return
+        self._end(keeps_unsaved=False)
+        super().closeEvent(event)
+
+    def end(self) -> None:
+        """End at once, without a question: what is not saved is offered at the next start."""
+        self.parts.commit_typed()
+        self.store.flush()
+        self._end(keeps_unsaved=True)
+
+    def _end(self, *, keeps_unsaved: bool) -> None:
+        self._watch.close()
         self._remember_layout()
         self._offer.release()
         self.worker.close()
         self._notices.close()
         if self._recovery is not None:
-            self._recovery.close()
-        super().closeEvent(event)
+            self._recovery.close(is_wanted=keeps_unsaved)
 
 
-def _state_of(source: str, preferences: Preferences | None) -> EditorState:
-    """Return the state with which a window begins that shows a source."""
-    opened = opened_source(source)
+def _state_of(opened: Opened, preferences: Preferences | None) -> EditorState:
+    """Return the state with which a window begins that shows what was opened."""
     display = DisplaySettings(theme=theme_in_force().name)
     if preferences:
         display = preferences.display(display)
-    return first_state(opened.document, DocumentFile(opened.title, opened.path, opened.stamp), display)
+    file = DocumentFile(opened.title, opened.path, opened.stamp, opened.stamp)
+    return first_state(opened.document, file, display)
 
 
 def _facts_text(state: EditorState) -> str:

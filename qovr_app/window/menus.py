@@ -88,7 +88,7 @@ def make_edit_bar(actions: Actions, parent: QWidget) -> QToolBar:
 
 
 class RecentMenu(QMenu):
-    """The files opened or saved last, looked up whenever the menu opens."""
+    """The files opened or saved last, read from the preferences whenever the menu opens, and from nowhere else."""
 
     def __init__(self, recent: Callable[[], Sequence[Path]], dispatch: Dispatch, parent: QWidget) -> None:
         super().__init__("Open &Recent", parent)

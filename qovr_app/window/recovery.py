@@ -4,18 +4,28 @@ from __future__ import annotations
 
 import json
 import secrets
+import stat
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
-from PySide6.QtCore import QLockFile, QObject, QStandardPaths, Signal
+from PySide6.QtCore import QStandardPaths
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.work.worker import Worker
+from qovr_app.state.intents import Stamp
+from qovr_app.window.process_lock import Hold, ProcessLock
 from qovr_core import Document, FileError, QovrError
 from qovr_core.files.atomic import replacing
 from qovr_core.files.qovr_document import document_from_json, document_to_json
 
 _SUFFIX = ".unsaved.json"
+
+_SET_ASIDE = ".damaged"
+"""What is added to the name of a file that nobody can read."""
+
+_LARGEST_FILE = 16_000_000
+"""Bytes; what is larger was not written by this program."""
 
 
 def recovery_folder() -> Path:
@@ -25,24 +35,54 @@ def recovery_folder() -> Path:
 
 
 @dataclass(frozen=True, eq=False)
-class Unsaved:
-    """A document that an earlier run left unsaved; nobody else can take it while this object holds it."""
+class Snapshot:
+    """What is kept of a document that is not saved.
+
+    Parameters
+    ----------
+    draft : the document with what is typed over it and not set; None where nothing is
+    path, stamp : the file that Save writes, and what it was when it was read or written last
+    """
 
     document: Document
     title: str
-    path: Path | None
+    path: Path | None = None
+    stamp: Stamp | None = None
+    draft: Document | None = None
+
+
+def snapshot_of(state: EditorState) -> Snapshot | None:
+    """Return what is to be kept of a state; None where all of it is saved."""
+    if not state.is_changed:
+        return None
+    draft = state.pending if state.has_pending else None
+    return Snapshot(state.document, state.file.title, state.file.path, state.file.stamp, draft)
+
+
+@dataclass(frozen=True, eq=False)
+class Unsaved:
+    """What an earlier run left unsaved; nobody else can take it while this object holds it."""
+
+    snapshot: Snapshot
     changed: float
     _file: Path
-    _lock: QLockFile
+    _lock: ProcessLock
 
     def remove(self) -> None:
-        """Delete its file."""
-        self._file.unlink(missing_ok=True)
-        self._lock.unlock()
+        """Delete its file.
+
+        Raises
+        ------
+        FileError : it cannot be deleted; it will be offered again
+        """
+        try:
+            _delete(self._file)
+        finally:
+            self._lock.let_go()
 
     def release(self) -> None:
         """Leave it to the next start."""
-        self._lock.unlock()
+        self._lock.let_go()
 
 
 class RecoveryStore:
@@ -54,9 +94,9 @@ class RecoveryStore:
     def __init__(self, folder: Path | None = None) -> None:
         self._folder = folder or recovery_folder()
         self._token = secrets.token_hex(8)
-        self._lock: QLockFile | None = None
+        self._lock: ProcessLock | None = None
 
-    def keep(self, document: Document, title: str, path: Path | None) -> None:
+    def keep(self, snapshot: Snapshot) -> None:
         """Write a document to this window's file, whole or not at all.
 
         Raises
@@ -65,38 +105,49 @@ class RecoveryStore:
         """
         if self._lock is None:
             self._claim()
-        entries = {
-            "title": title,
-            "path": None if path is None else str(path),
-            "document": json.loads(document_to_json(document)),
-        }
         with replacing(self._file) as (draft,):
-            draft.write_text(json.dumps(entries), encoding="utf-8")
+            draft.write_text(json.dumps(_entries(snapshot)), encoding="utf-8")
 
     def forget(self) -> None:
-        """Delete this window's file.
+        """Delete this window's file, if there is one.
 
         Raises
         ------
         FileError : the file cannot be deleted
         """
-        try:
-            self._file.unlink(missing_ok=True)
-        except OSError as error:
-            raise FileError(f"{self._file}: cannot be deleted: {error.strerror or error}") from error
-
-    def close(self) -> None:
-        """Delete this window's file, for good."""
-        self.forget()
         if self._lock is not None:
-            self._lock.unlock()
+            _delete(self._file)
 
-    def found(self) -> list[Unsaved]:
-        """Return what dead processes left, the latest first, each claimed for this one."""
-        self._sweep()
-        files = sorted(self._folder.glob(f"*{_SUFFIX}"), key=_changed, reverse=True)
-        entries = (_claimed(file) for file in files if file != self._file)
-        return [entry for entry in entries if entry is not None]
+    def release(self) -> None:
+        """Let this window's file go: what is in it is left to the next start."""
+        if self._lock is not None:
+            self._lock.let_go()
+            self._lock = None
+
+    def found(self) -> tuple[list[Unsaved], list[str]]:
+        """Return what dead processes left, the latest first, each claimed for this one; and what could not be read.
+
+        What cannot be read is set aside under another name, and said in a sentence.
+        """
+        unsaved, sentences = [], []
+        try:
+            self._sweep()
+            files = sorted(self._folder.glob(f"*{_SUFFIX}"), key=_changed, reverse=True)
+        except OSError as error:
+            reason = error.strerror or error
+            return [], [f"What may have been left unsaved cannot be looked for: {self._folder}: {reason}."]
+        for file in files:
+            lock = _lock_of(file)
+            if file == self._file or lock.take() is Hold.OTHERS:
+                continue
+            try:
+                unsaved.append(Unsaved(_read(file), _changed(file), file, lock))
+            except FileNotFoundError:  # another instance has just taken it
+                lock.let_go()
+            except (OSError, ValueError, KeyError, TypeError, RecursionError, QovrError) as error:
+                lock.let_go()
+                sentences.append(_set_aside(file, error))
+        return unsaved, sentences
 
     @property
     def _file(self) -> Path:
@@ -107,91 +158,76 @@ class RecoveryStore:
             self._folder.mkdir(parents=True, exist_ok=True)
         except OSError as error:
             raise FileError(f"{self._folder}: cannot be made: {error.strerror or error}") from error
-        lock = _lock_of(self._file)
-        if lock.tryLock(0):
-            self._lock = lock
+        self._lock = _lock_of(self._file)
+        self._lock.take()
 
     def _sweep(self) -> None:
         """Delete locks that killed processes left in the folder."""
         for orphan in self._folder.glob("*.lock"):
             file = orphan.with_name(orphan.stem + _SUFFIX)
-            lock = _lock_of(file)
-            if not file.exists() and lock.tryLock(0):
-                lock.unlock()
+            if not file.exists():
+                lock = _lock_of(file)
+                if lock.take() is Hold.OURS:
+                    lock.let_go()
+
+
+def _entries(snapshot: Snapshot) -> dict[str, Any]:
+    """Return a snapshot as JSON holds it."""
+    draft = snapshot.draft
+    return {
+        "title": snapshot.title,
+        "path": None if snapshot.path is None else str(snapshot.path),
+        "stamp": snapshot.stamp,
+        "document": json.loads(document_to_json(snapshot.document)),
+        "draft": None if draft is None else json.loads(document_to_json(draft)),
+    }
+
+
+def _read(file: Path) -> Snapshot:
+    """Return what a file holds.
+
+    Raises
+    ------
+    OSError, ValueError, KeyError, TypeError, RecursionError, QovrError : it is not what ``_entries`` makes
+    """
+    status = file.stat()
+    if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST_FILE:
+        raise ValueError("it is none of this program's files")
+    entries = json.loads(file.read_text(encoding="utf-8"))
+    path, stamp = entries["path"], entries.get("stamp")
+    return Snapshot(
+        document=document_from_json(json.dumps(entries["document"])),
+        title=str(entries["title"]),
+        path=None if path is None else Path(path),
+        stamp=None if stamp is None else tuple(map(int, stamp)),
+        draft=None if entries.get("draft") is None else document_from_json(json.dumps(entries["draft"])),
+    )
+
+
+def _set_aside(file: Path, error: Exception) -> str:
+    """Rename a file that cannot be read, and say so."""
+    aside = file.with_name(file.name + _SET_ASIDE)
+    reason = error.strerror if isinstance(error, OSError) else ""
+    text = f"A file with unsaved work cannot be read{reason and f' ({reason})'}"
+    try:
+        file.replace(aside)
+    except OSError:
+        return f"{text}: {file}."
+    return f"{text}; it was set aside as {aside}."
+
+
+def _delete(file: Path) -> None:
+    try:
+        file.unlink(missing_ok=True)
+    except OSError as error:
+        raise FileError(f"{file}: cannot be deleted: {error.strerror or error}") from error
 
 
 def _changed(file: Path) -> float:
-    try:
+    with suppress(OSError):
         return file.stat().st_mtime
-    except OSError:
-        return 0.0
+    return 0.0
 
 
-def _lock_of(file: Path) -> QLockFile:
-    lock = QLockFile(str(file.with_name(file.name.removesuffix(_SUFFIX) + ".lock")))
-    lock.setStaleLockTime(0)  # a lock ends with its process, however long that lives
-    return lock
-
-
-def _claimed(file: Path) -> Unsaved | None:
-    """Return what a file holds if no living process owns it."""
-    lock = _lock_of(file)
-    if not lock.tryLock(0):
-        return None
-    try:
-        entries = json.loads(file.read_text(encoding="utf-8"))
-        document = document_from_json(json.dumps(entries["document"]))
-        path = None if entries["path"] is None else Path(entries["path"])
-        return Unsaved(document, str(entries["title"]), path, _changed(file), file, lock)
-    except (OSError, ValueError, KeyError, TypeError, QovrError):
-        # Another instance has just taken it, or it is none of ours: nothing to offer either way.
-        lock.unlock()
-        return None
-
-
-Snapshot = tuple[Document, str, Path | None]
-"""A document with its title and its file."""
-
-
-class RecoveryWriter(QObject):
-    """Keeps a window's document in a recovery store for as long as it is not saved.
-
-    A thread writes, always the latest document: a slow disk delays no drag, and a kill loses at most what was set
-    while one small file was written.
-
-    Signals
-    -------
-    failed : why the document cannot be kept; once
-    """
-
-    failed = Signal(str)
-
-    def __init__(self, store: RecoveryStore, worker: Worker, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._store, self._worker = store, worker
-        self._has_failed = False
-        self._asked = 0
-
-    def show_state(self, before: EditorState | None, after: EditorState) -> None:
-        """Hand a document that is not saved over to be kept, or let the one before be forgotten."""
-        if after.differs(before, "history", "file"):
-            self._asked += 1
-            snapshot = (after.document, after.file.title, after.file.path) if after.is_changed else None
-            self._worker.in_thread(self._write, self._asked, snapshot, on_failed=self._on_failed)
-
-    def close(self) -> None:
-        """Forget the document: it is saved, or nobody wants it; the worker has been closed before."""
-        self._store.close()
-
-    def _write(self, asked: int, snapshot: Snapshot | None) -> None:
-        if asked < self._asked:
-            return  # a later call will write a later document
-        if snapshot is None:
-            self._store.forget()
-        else:
-            self._store.keep(*snapshot)
-
-    def _on_failed(self, error: QovrError) -> None:
-        if not self._has_failed:
-            self._has_failed = True
-            self.failed.emit(f"A crash would lose the unsaved changes: {error}.")
+def _lock_of(file: Path) -> ProcessLock:
+    return ProcessLock(file.with_name(file.name.removesuffix(_SUFFIX) + ".lock"))

@@ -2,26 +2,45 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Future, wait
+from contextlib import suppress
 from datetime import datetime
 from functools import partial
+from threading import Thread
 
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.intents import Opened
+from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import RecoveryAnswered
-from qovr_app.store import Dispatch
+from qovr_app.store import Store
 from qovr_app.widgets.notice import Notice
 from qovr_app.window.document_shell import DocumentShell
 from qovr_app.window.recovery import RecoveryStore, Unsaved
+from qovr_app.window.recovery_writer import RecoveryWriter
 from qovr_app.window.shell import Answers
+from qovr_app.work.worker import Worker
+from qovr_core import QovrError
+
+_PATIENCE_SECONDS = 0.2
+"""A disk of this computer has told by then; a share that takes longer is waited for without holding the window up."""
+
+Found = tuple[list[Unsaved], list[str]]
 
 
-class RecoveryOffer:
+class RecoveryOffer(QObject):
     """Offers one document after the other; ``notice`` is the bar."""
 
-    def __init__(self, documents: DocumentShell, dispatch: Dispatch, parent: QWidget) -> None:
-        self._documents = documents
+    _looked = Signal(object)
+
+    def __init__(self, documents: DocumentShell, store: Store, worker: Worker, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._documents, self._store, self._worker = documents, store, worker
+        self._writer: RecoveryWriter | None = None
         self._unsaved: list[Unsaved] = []
+        self._is_closed = False
+        self._looked.connect(self._on_looked)
         self.answers: Answers = {RecoveryAnswered: self._answer}
         self.notice = Notice("recovery", parent)
         for name, text, tip in (
@@ -29,35 +48,76 @@ class RecoveryOffer:
             ("discard", "Discard", "Delete the unsaved document"),
         ):
             answer = RecoveryAnswered(is_wanted=name == "restore")
-            self.notice.add_answer(name, text, tip, partial(dispatch, answer))
+            self.notice.add_answer(name, text, tip, partial(store.dispatch, answer))
 
-    def offer(self, store: RecoveryStore) -> None:
-        """Offer what earlier runs left unsaved."""
-        self._unsaved = store.found()
+    def offer(self, recovery: RecoveryStore, writer: RecoveryWriter) -> None:
+        """Offer what earlier runs left unsaved, as soon as it is known."""
+        self._writer = writer
+        looked: Future[Found] = Future()
+        Thread(target=_look, args=(recovery, looked), daemon=True).start()
+        wait([looked], _PATIENCE_SECONDS)
+        if looked.done():
+            self._on_looked(looked.result())
+        else:
+            looked.add_done_callback(self._tell)
+
+    def release(self) -> None:
+        """Leave what was not answered to the next start."""
+        self._is_closed = True
+        for entry in self._unsaved:
+            entry.release()
+        self._unsaved = []
+
+    def _tell(self, looked: Future[Found]) -> None:
+        with suppress(RuntimeError):  # the window has gone meanwhile
+            self._looked.emit(looked.result())
+
+    def _on_looked(self, found: Found) -> None:
+        self._unsaved, sentences = found
+        if self._is_closed:
+            self.release()
+            return
+        for sentence in sentences[-1:]:
+            self._store.dispatch(MessageShown(sentence, is_refusal=True))
         self._ask()
 
     def _answer(self, request: RecoveryAnswered) -> None:
         """Go on with the document that is offered, or delete it."""
         entry = self._unsaved[0]
         if request.is_wanted:
-            message = f"Restored {entry.title}; it is not saved yet."
-            restored = Opened(entry.document, entry.title, entry.path, is_saved=False, message=message)
+            kept = entry.snapshot
+            message = f"Restored {kept.title}; it is not saved yet."
+            restored = Opened(
+                kept.document, kept.title, kept.path, kept.stamp, is_saved=False, message=message, draft=kept.draft
+            )
             if not self._documents.go_on_with(restored):
                 return
-        self._unsaved.pop(0).remove()
+        self._unsaved.pop(0)
+        if request.is_wanted and self._writer is not None:
+            self._writer.supersede(entry, self._store.state)
+        else:
+            self._worker.in_thread(entry.remove, on_failed=self._on_not_removed)
         self._ask()
 
-    def release(self) -> None:
-        """Leave what was not answered to the next start."""
-        for entry in self._unsaved:
-            entry.release()
-        self._unsaved = []
+    def _on_not_removed(self, error: QovrError) -> None:
+        self._store.dispatch(MessageShown(f"{error}.", is_refusal=True))
 
     def _ask(self) -> None:
         if not self._unsaved:
             self.notice.setVisible(False)
             return
         entry = self._unsaved[0]
-        when = datetime.fromtimestamp(entry.changed).strftime("%d %B, %H:%M")
         more = f"  ({len(self._unsaved) - 1} more)" if len(self._unsaved) > 1 else ""
-        self.notice.ask(f"Unsaved changes to {entry.title} from {when} were kept when the program ended.{more}")
+        title = entry.snapshot.title
+        self.notice.ask(f"Unsaved changes to {title}{_when(entry.changed)} were kept when the program ended.{more}")
+
+
+def _look(recovery: RecoveryStore, looked: Future[Found]) -> None:
+    looked.set_result(recovery.found())
+
+
+def _when(changed: float) -> str:
+    try:
+        return datetime.fromtimestamp(changed).strftime(" from %d %B, %H:%M")
+    except (OverflowError, OSError, ValueError):  # a clock that was wrong
+        return ""

@@ -5,11 +5,11 @@ from __future__ import annotations
 import argparse
 import re
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from qovr_core import QovrError
-from qovr_core.files.atomic import replacing
+from qovr_core.commands.common import number, path
+from qovr_core.files.atomic import check_target, replacing
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QImage
@@ -25,7 +25,7 @@ _REST_MILLISECONDS = 400
 def add_screenshot_command(commands: Any) -> None:
     """Add the command to the parser's commands."""
     command = commands.add_parser("screenshot", help="the editor's window as a picture; needs a display")
-    command.add_argument("out", metavar="OUT.png", type=Path)
+    command.add_argument("out", metavar="OUT.png", type=path)
     command.add_argument("source", metavar="SOURCE", nargs="?")
     command.add_argument("--size", type=_size, default=(1440, 900), help="of the window, before --scale (1440x900)")
     command.add_argument("--scale", type=_scale, default=1.0, help="scale factor, 1 to 4 (1)")
@@ -35,17 +35,14 @@ def add_screenshot_command(commands: Any) -> None:
 
 
 def _size(text: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d{2,5})[xX](\d{2,5})", text)
+    match = re.fullmatch(r"([0-9]{2,5})[xX]([0-9]{2,5})", text)
     if not match or max(int(match[1]), int(match[2])) > _LARGEST_SIDE:
         raise argparse.ArgumentTypeError(f"'{text}' is no size; expected WIDTHxHEIGHT up to {_LARGEST_SIDE}")
     return int(match[1]), int(match[2])
 
 
 def _scale(text: str) -> float:
-    try:
-        scale = float(text)
-    except ValueError:
-        scale = 0.0
+    scale = number(text)
     if not 1.0 <= scale <= 4.0:
         raise argparse.ArgumentTypeError(f"'{text}' is no scale factor; expected a number from 1 to 4")
     return scale
@@ -61,6 +58,7 @@ def _screenshot(arguments: argparse.Namespace) -> int:
 
     if arguments.out.suffix.lower() != ".png":
         raise QovrError(f"{arguments.out}: a screenshot is a PNG; expected a name that ends in .png")
+    check_target(arguments.out)
     application = make_application(sys.argv, scale=arguments.scale)
     set_theme(ThemeName(arguments.theme))
 

@@ -17,6 +17,8 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
+from qovr_core.arrays import Array
+from qovr_core.document import NetIndex
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.presets import figure_cases
 
@@ -74,6 +76,7 @@ class ViewFrame(QWidget):
         if self._view is not None:
             self._view.display(shown_of(after))
             if before is not None and before.file.opening != after.file.opening:
+                self._view.drop_drags()
                 look_at_opened(self._view, after.file.preset)
 
     def look(self, request: CameraAsked) -> None:
@@ -123,7 +126,7 @@ class ViewFrame(QWidget):
     def _listen(self, view: View3D) -> None:
         dispatch = self._store.dispatch
         view.point_dragged.connect(
-            lambda i, j, point, gesture: dispatch(intents.PointDragged(i, j, tuple(point.tolist()), gesture))
+            lambda i, j, point, gesture: dispatch(moved_to(self._store.state, (i, j), point, gesture))
         )
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
@@ -146,6 +149,12 @@ class ViewFrame(QWidget):
 
 def _without_opengl(reason: str) -> str:
     return f"{reason.rstrip('.')}. The surface is drawn by the 2D painter instead; everything else works."
+
+
+def moved_to(state: EditorState, index: NetIndex, point: Array, gesture: int) -> intents.PointsMoved:
+    """Return what moves a point to a place, (3,), in the course of a gesture."""
+    moved = point - state.document_before(gesture).control_points[index]
+    return intents.PointsMoved((index,), (tuple(moved.tolist()),), gesture)
 
 
 def look_at_opened(view: View3D, preset: str) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import Any
 
 from qovr_core import QovrError
+from qovr_core.errors import reason_of
 
 LOGGER = logging.getLogger("qovr_app.work")
 
@@ -24,6 +25,9 @@ def failure_of(function: Callable[..., Any], error: BaseException) -> QovrError:
     """Return what to tell of an error that ended a job; what nobody expected is logged with its traceback."""
     if isinstance(error, QovrError):
         return error if _goes_through_a_pipe(error) else WorkError(str(error))
+    if isinstance(error, OSError):
+        place = f"{error.filename}: " if error.filename else ""
+        return WorkError(f"{place}{reason_of(error)}")
     if isinstance(error, MemoryError):
         return WorkError("There is not enough memory for so many points; choose fewer samples")
     name = getattr(function, "__qualname__", repr(function))

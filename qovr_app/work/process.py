@@ -14,7 +14,7 @@ from pathlib import Path
 from queue import SimpleQueue
 
 from qovr_app.work.messages import Cancel, Logged, Run, read_message, write_message
-from qovr_core.files.atomic import remove_drafts
+from qovr_core.files.drafts import remove_drafts
 
 _ONE_THREAD = dict.fromkeys(
     ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import argparse
 import json
 import math
+import re
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 from qovr_core.files.progress import Progress
 
@@ -18,9 +21,38 @@ SOURCE_HELP = (
 )
 
 
-def listed(text: str) -> list[str]:
-    """Return the words of a list with commas."""
-    return [part.strip().lower() for part in text.split(",") if part.strip()]
+_NUMBER = re.compile(r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?")
+"""Numbers as every program writes them: no other digits than 0 to 9, no groups, no words."""
+
+
+def number(text: str) -> float:
+    """Return the number that an option's value is; not a number (NaN) where it is none."""
+    return float(text) if _NUMBER.fullmatch(text) else math.nan
+
+
+def words(text: str) -> list[str]:
+    """Return the words of a list with commas, each once.
+
+    Raises
+    ------
+    argparse.ArgumentTypeError : there is no word
+    """
+    found = [part.strip().lower() for part in text.split(",") if part.strip()]
+    if not found:
+        raise argparse.ArgumentTypeError(f"'{text}' holds no word; expected words with commas between them")
+    return list(dict.fromkeys(found))
+
+
+def path(text: str) -> Path:
+    """Return the path that an argument names.
+
+    Raises
+    ------
+    argparse.ArgumentTypeError : the name is empty, as that of a variable nobody has set
+    """
+    if not text:
+        raise argparse.ArgumentTypeError("the name is empty; expected that of a file or folder")
+    return Path(text)
 
 
 def finite(value: float) -> float | None:

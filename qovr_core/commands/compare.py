@@ -7,7 +7,7 @@ import re
 from typing import Any
 
 from qovr_core.checks import LARGEST_MAGNITUDE
-from qovr_core.commands.common import DONE, SOURCE_HELP, print_json
+from qovr_core.commands.common import DONE, SOURCE_HELP, number, print_json
 from qovr_core.files import read_source
 from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT, compare
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
@@ -54,10 +54,7 @@ def _point(text: str) -> tuple[int, int]:
 
 
 def _weight(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = 0.0
+    value = number(text)
     if not 0 < value <= LARGEST_MAGNITUDE:
         raise argparse.ArgumentTypeError(
             f"'{text}' is no weight; expected a positive number up to {LARGEST_MAGNITUDE:g}, as 4"

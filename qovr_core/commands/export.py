@@ -10,10 +10,11 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from qovr_core.commands.common import DONE, SOURCE_HELP, progress_bar
+from qovr_core.commands.common import DONE, SOURCE_HELP, number, path, progress_bar
 from qovr_core.document import Document
-from qovr_core.errors import DocumentError, FileError, QovrError
+from qovr_core.errors import DocumentError, QovrError
 from qovr_core.files import FORMATS, ExportOptions, export, format_for, read_source
+from qovr_core.files.atomic import check_target
 from qovr_core.files.conventions import CsvDialect, Unit, Up
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.layer import Layer
@@ -22,7 +23,7 @@ from qovr_core.layer import Layer
 def add_command(commands: Any) -> None:
     command = commands.add_parser("export", help="evaluate and write files", epilog=SOURCE_HELP)
     command.add_argument("source", metavar="SOURCE")
-    command.add_argument("outs", metavar="OUT", nargs="+", type=Path, help=f"ends in {', '.join(FORMATS)}")
+    command.add_argument("outs", metavar="OUT", nargs="+", type=path, help=f"ends in {', '.join(FORMATS)}")
     command.add_argument("--formulation", choices=list(FORMULATIONS))
     command.add_argument("--samples", type=_samples, metavar="N|NxM", help="samples along u and v, 2 to 4096")
     command.add_argument(
@@ -74,7 +75,7 @@ def _export(arguments: argparse.Namespace) -> int:
             raise QovrError(f"{option} is for {what}; expected an OUT that ends in {_suffixes(concerned)}")
     for out, target in zip(arguments.outs, formats, strict=True):
         target.check(document, out)
-        _check_folder(out)
+        check_target(out)
         _announce(target.announce(document), out)
     for out in arguments.outs:
         with progress_bar(out.name) as progress:
@@ -96,18 +97,13 @@ def _changed(document: Document, arguments: argparse.Namespace) -> Document:
     return document
 
 
-def _check_folder(out: Path) -> None:
-    if not out.parent.is_dir():
-        raise FileError(f"{out}: cannot be written: the folder {out.parent} does not exist")
-
-
 def _announce(announcement: str, out: Path) -> None:
     if announcement and sys.stderr.isatty():
         print(f"qovr: {out}: {announcement}", file=sys.stderr)
 
 
 def _samples(text: str) -> tuple[int, int]:
-    match = re.fullmatch(r"(\d{1,9})(?:[xX](\d{1,9}))?", text)
+    match = re.fullmatch(r"([0-9]{1,9})(?:[xX]([0-9]{1,9}))?", text)
     if not match:
         raise argparse.ArgumentTypeError(f"'{text}' is no sample count; expected N or NxM, as 101 or 101x51")
     n, m = int(match[1]), int(match[2] or match[1])
@@ -120,10 +116,7 @@ def _samples(text: str) -> tuple[int, int]:
 
 
 def _tolerance(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
+    value = number(text)
     if not 0 < value < math.inf:
         raise argparse.ArgumentTypeError(f"'{text}' is no tolerance; expected a positive distance, as 0.01")
     return value

@@ -3,20 +3,25 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from typing import Any
 
-from qovr_core.commands.common import DONE, listed, progress_bar
-from qovr_core.errors import FileError, QovrError
+from qovr_core.commands.common import DONE, path, progress_bar, words
+from qovr_core.errors import QovrError
+from qovr_core.files.atomic import made_folder
 
 
 def add_command(commands: Any) -> None:
     command = commands.add_parser("figures", help="draw the paper's Figures 1, 2 and 5 to 8")
-    command.add_argument("outdir", metavar="OUTDIR", type=Path)
+    command.add_argument("outdir", metavar="OUTDIR", type=path)
     command.add_argument(
-        "--only", action="append", default=[], metavar="NAME", help="as fig6b, or fig6 for all its parts"
+        "--only",
+        action="append",
+        default=[],
+        type=words,
+        metavar="NAME",
+        help="as fig6b, or fig6 for all its parts",
     )
-    command.add_argument("--formats", default="png,svg,pdf", help="any of png,svg,pdf (default: all)")
+    command.add_argument("--formats", default="png,svg,pdf", type=words, help="any of png,svg,pdf (default: all)")
     command.add_argument("--dpi", type=_dpi, default=300, help="resolution of the PNG files (default: 300)")
     command.set_defaults(command=_figures)
 
@@ -24,16 +29,13 @@ def add_command(commands: Any) -> None:
 def _figures(arguments: argparse.Namespace) -> int:
     from qovr_core.figures import FIGURE_FORMATS, find_figures, save_figure
 
-    kinds = listed(arguments.formats)
+    kinds = arguments.formats
     for kind in kinds:
         if kind not in FIGURE_FORMATS:
             raise QovrError(f"there is no figure format '{kind}'; expected any of {', '.join(FIGURE_FORMATS)}")
-    names = find_figures([name for entry in arguments.only for name in listed(entry)])
-    try:
-        arguments.outdir.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(f"{arguments.outdir}: cannot be made: {error.strerror or error}") from error
-    files = [(name, arguments.outdir / f"{name}.{kind}") for name in names for kind in kinds]
+    names = find_figures([name for entry in arguments.only for name in entry])
+    folder = made_folder(arguments.outdir)
+    files = [(name, folder / f"{name}.{kind}") for name in names for kind in kinds]
     with progress_bar("figures") as progress:
         for done, (name, path) in enumerate(files):
             save_figure(name, path, dpi=arguments.dpi)

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import argparse
-from pathlib import Path
 from typing import Any
 
-from qovr_core.commands.common import ANSWER_IS_NO, DONE, finite, print_json
+from qovr_core.commands.common import ANSWER_IS_NO, DONE, finite, path, print_json
 
 
 def add_command(commands: Any) -> None:
     command = commands.add_parser("reproduce", help="compute published workbooks again and compare")
-    command.add_argument("workbooks", metavar="WORKBOOK", nargs="+", type=Path)
+    command.add_argument("workbooks", metavar="WORKBOOK", nargs="+", type=path)
     command.add_argument("--json", action="store_true")
     command.set_defaults(command=_reproduce)
 

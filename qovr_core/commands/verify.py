@@ -8,10 +8,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qovr_core.commands.common import DONE, SOURCE_HELP, finite, print_json
+from qovr_core.commands.common import DONE, SOURCE_HELP, finite, path, print_json
 from qovr_core.document import Document
-from qovr_core.errors import FileError
 from qovr_core.files import read_source, write_document
+from qovr_core.files.atomic import made_folder
 from qovr_core.files.qovr_document import document_to_json
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ def add_command(commands: Any) -> None:
     forms.add_argument("--json", action="store_true", help="everything, counterexamples included")
     forms.add_argument("--markdown", action="store_true", help="one table: what the paper says, what is so")
     command.add_argument(
-        "--counterexamples", metavar="DIR", type=Path, help="write counterexamples and examples as .qovr files"
+        "--counterexamples", metavar="DIR", type=path, help="write counterexamples and examples as .qovr files"
     )
     command.set_defaults(command=_verify)
 
@@ -48,10 +48,7 @@ def _verify(arguments: argparse.Namespace) -> int:
 
 def _write_documents(findings: Sequence[Finding], folder: Path) -> None:
     """Write every counterexample and example; the names tell claim and formulation."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise FileError(f"{folder}: cannot be made: {error.strerror or error}") from error
+    made_folder(folder)
     for finding in findings:
         for kind, document in (("counterexample", finding.counterexample), ("example", finding.example)):
             if document is not None:

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.checks import checked_knot, checked_number, described
+from qovr_core.checks import Verbatim, checked_knot, checked_number, described
 from qovr_core.document import NET_SIZE, Document
-from qovr_core.errors import DocumentError, FileError
+from qovr_core.errors import LONGEST_QUOTE, DocumentError, FileError, one_line
 from qovr_core.geometry.knots import KNOT_NAMES, Knots
 
 SHAPES = {
@@ -52,8 +52,9 @@ def document_from_arrays(arrays: Mapping[str, Any], path: Path) -> Document:
 def _numbers(value: Any, name: str) -> Array:
     array, shape = np.asarray(value), SHAPES[name]
     if array.shape != shape or array.dtype.kind not in "fiu":
-        expected = f"numbers in {' x '.join(map(str, shape))}"
-        raise DocumentError(name, f"{array.dtype} in {' x '.join(map(str, array.shape)) or 'no dimension'}", expected)
+        kind = f"{array.dtype} in {' x '.join(map(str, array.shape)) or 'no dimension'}"
+        found = described(value) if isinstance(value, Verbatim) else one_line(kind, LONGEST_QUOTE)
+        raise DocumentError(name, found, f"numbers in {' x '.join(map(str, shape))}")
     for indices in np.ndindex(shape):
         place = name + "".join(f"[{k}]" for k in indices)
         (checked_number if len(shape) == 3 else checked_knot)(array[indices].item(), place)
@@ -67,4 +68,7 @@ def _curves(knots: Array) -> tuple[Knots, ...]:
 def _text(value: Any) -> Any:
     """Return the text of an array of one string; what is no text is told by the document's own check."""
     array = np.asarray(value)
-    return str(array.reshape(-1)[0]) if array.dtype.kind == "U" and array.size == 1 else described(array)
+    if isinstance(value, Verbatim):
+        return value
+    is_text = array.dtype.kind == "U" and array.size == 1
+    return str(array.reshape(-1)[0]) if is_text else Verbatim(described(array))

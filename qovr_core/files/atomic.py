@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import logging
 import os
-import secrets
-import shutil
+import re
 import stat
-import time
 from collections.abc import Iterator
-from contextlib import ExitStack, contextmanager, suppress
+from contextlib import ExitStack, contextmanager, nullcontext, suppress
 from pathlib import Path
-from tempfile import TemporaryDirectory
 
-from qovr_core.errors import FileError
+from qovr_core.errors import FileError, reason_of
+from qovr_core.files.drafts import new_draft, sweep, turn
 
 LOGGER = logging.getLogger("qovr_core.files")
 """Tells, as a warning, what a user ought to know of a file that was written all the same."""
 
-_PREFIX, _SUFFIX = ".qovr-", ".part"
-"""What the names of drafts, and of folders with parts of them, begin and end with; between them stands the number of
-the process, so that what a killed one left can be told from what others are writing."""
+IS_WINDOWS = os.name == "nt"
 
-_ABANDONED_SECONDS = 24 * 3600.0
-"""A draft not touched for so long was left by a killed process: no write takes a day."""
+_RESERVED_NAME = re.compile(r"(?:con|prn|aux|nul|com[0-9¹²³]|lpt[0-9¹²³]|conin\$|conout\$) *(?:\..*)?", re.IGNORECASE)
+_FORBIDDEN = '<>:"|?*'
+"""What Windows keeps for its devices, and what no name there holds: after a colon stands another stream of a file."""
 
 
 @contextmanager
@@ -31,17 +28,18 @@ def replacing(*targets: Path) -> Iterator[tuple[Path, ...]]:
     """Yield a new empty file beside each target; on success they take the targets' places, else they vanish.
 
     Whatever ends the block early - a full disk, an interrupt, a cancelled progress - leaves the targets as they were.
-    Several targets take their places one after the other. Links are followed. A file that was there keeps its mode, and
-    its group and owner where the system allows; a new one gets its mode from the system.
+    Several targets take their places one after the other, with no other process in between. Links are followed. A file
+    that was there keeps its mode, and its group and owner where the system allows; a new one gets its mode from the
+    system.
 
     Raises
     ------
     FileError : a file cannot be made, written or put in its place
     """
-    places = [_place(target) for target in targets]
+    places = [check_target(target) for target in targets]
     folders = {place.parent for place in places}
     for folder in folders:
-        _sweep(folder)
+        sweep(folder)
     with ExitStack() as stack:
         drafts = tuple(
             stack.enter_context(_draft(target, place)) for target, place in zip(targets, places, strict=True)
@@ -50,68 +48,104 @@ def replacing(*targets: Path) -> Iterator[tuple[Path, ...]]:
             yield drafts
             for draft in drafts:
                 _flush_to_disk(draft)
-            for draft, target, place in zip(drafts, targets, places, strict=True):
-                _tell_of_new_owner(target, place, draft)
-                draft.replace(place)
+            with turn(places[0].parent) if len(places) > 1 else nullcontext():
+                for draft, target, place in zip(drafts, targets, places, strict=True):
+                    _tell_of_new_owner(target, place, draft)
+                    draft.replace(place)
             for folder in folders:
                 _flush_folder(folder)
         except OSError as error:
             raise unwritable(targets[0], error) from error
 
 
-@contextmanager
-def scratch_folder(beside: Path) -> Iterator[Path]:
-    """Yield a new folder beside a draft, for what is needed while it is written; it vanishes at the end."""
-    with TemporaryDirectory(_SUFFIX, _prefix(os.getpid()), beside.parent, ignore_cleanup_errors=True) as folder:
-        yield Path(folder)
+def check_target(target: Path) -> Path:
+    """Return where a target really stands, itself no link; nothing needs to be there, and nothing is opened.
+
+    Raises
+    ------
+    FileError : as far as can be told beforehand, no file can be written there
+    """
+    try:
+        place = Path(os.path.realpath(target))
+        reason = _name_refusal(target) or _refusal(target, place)
+    except OSError as error:
+        raise unwritable(target, error) from error
+    except ValueError as error:
+        raise FileError(f"{target}: cannot be written: no name holds a NUL character") from error
+    if reason:
+        raise FileError(f"{target}: cannot be written: {reason}")
+    return place
 
 
-def remove_drafts(target: Path, process: int) -> None:
-    """Delete what a process that is no more has left beside a file it was writing."""
-    for draft in _place(target).parent.glob(f"{_prefix(process)}*{_SUFFIX}"):
-        _remove(draft)
+def made_folder(folder: Path) -> Path:
+    """Return a folder, which is made where it is not yet.
+
+    Raises
+    ------
+    FileError : it cannot be made, or a file has its name
+    """
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except FileExistsError as error:
+        raise FileError(f"{folder}: is a file; expected a folder") from error
+    except OSError as error:
+        raise FileError(f"{folder}: cannot be made: {reason_of(error)}") from error
+    except ValueError as error:
+        raise FileError(f"{folder}: cannot be made: no name holds a NUL character") from error
+    return folder
 
 
 def unwritable(path: Path, error: OSError) -> FileError:
     """Return the error to raise where writing a path failed."""
-    return FileError(f"{path}: cannot be written: {error.strerror or error}")
+    return FileError(f"{path}: cannot be written: {reason_of(error)}")
 
 
-def _place(target: Path) -> Path:
-    """Return where a target really stands, itself no link; nothing needs to be there."""
-    return Path(os.path.realpath(target))
+def _refusal(target: Path, place: Path) -> str:
+    """Return why no file can stand at a place; empty where one can."""
+    if not place.parent.is_dir():
+        return f"the folder {target.parent} does not exist"
+    try:
+        mode = place.stat().st_mode
+    except FileNotFoundError:
+        mode = stat.S_IFREG
+        is_writable = True
+    else:
+        is_writable = os.access(place, os.W_OK)
+    if stat.S_ISDIR(mode):
+        return "it is a folder; expected a file name"
+    if not stat.S_ISREG(mode):
+        return "it is a device or a pipe; expected a file"
+    if not is_writable:
+        return "the file is write-protected"
+    if not os.access(place.parent, os.W_OK | os.X_OK):
+        return f"Permission denied: no new file may be made in {target.parent}"
+    return ""
 
 
-def _prefix(process: int) -> str:
-    return f"{_PREFIX}{process}-"
+def _name_refusal(target: Path) -> str:
+    """Return why Windows takes no file of a name, empty where it does; other systems take every name."""
+    if not IS_WINDOWS:
+        return ""
+    for part in target.parts[len(target.anchor) > 0 :]:
+        if _RESERVED_NAME.fullmatch(part):
+            return f"Windows keeps the name {part} for a device"
+        if part not in (".", "..") and part != part.rstrip(". "):
+            return f"Windows takes no name that ends in a dot or a space, as '{part}'"
+        if any(character in _FORBIDDEN or ord(character) < 32 for character in part):
+            return f"Windows takes no name with any of {' '.join(_FORBIDDEN)}, as '{part}'"
+    return ""
 
 
 @contextmanager
 def _draft(target: Path, place: Path) -> Iterator[Path]:
-    draft = place.parent / f"{_prefix(os.getpid())}{secrets.token_hex(6)}{_SUFFIX}"
-    try:
-        _check(target, place)
-        draft.touch(exist_ok=False)
-        if place.exists():
-            _take_over(draft, place.stat())
-    except OSError as error:
-        _remove(draft)
-        raise unwritable(target, error) from error
-    try:
+    with ExitStack() as stack:
+        try:
+            draft = stack.enter_context(new_draft(place.parent))
+            if place.exists():
+                _take_over(draft, place.stat())
+        except OSError as error:
+            raise unwritable(target, error) from error
         yield draft
-    finally:
-        _remove(draft)
-
-
-def _check(target: Path, place: Path) -> None:
-    if place.is_dir():
-        raise FileError(f"{target}: cannot be written: it is a folder; expected a file name")
-    if not place.parent.is_dir():
-        raise FileError(f"{target}: cannot be written: the folder {target.parent} does not exist")
-    if place.exists() and not place.is_file():
-        raise FileError(f"{target}: cannot be written: it is a device or a pipe; expected a file")
-    if place.exists() and not os.access(place, os.W_OK):
-        raise FileError(f"{target}: cannot be written: the file is write-protected")
 
 
 def _take_over(draft: Path, before: os.stat_result) -> None:
@@ -133,23 +167,6 @@ def _take_over(draft: Path, before: os.stat_result) -> None:
 def _tell_of_new_owner(target: Path, place: Path, draft: Path) -> None:
     if place.exists() and place.stat().st_uid != draft.stat().st_uid:
         LOGGER.warning("%s: belongs to you now; the system does not allow it to be given to its owner again", target)
-
-
-def _sweep(folder: Path) -> None:
-    """Delete what killed processes left in a folder long ago, as far as that can be done."""
-    limit = time.time() - _ABANDONED_SECONDS
-    with suppress(OSError):
-        for draft in list(folder.glob(f"{_PREFIX}*{_SUFFIX}")):
-            if draft.lstat().st_mtime < limit:
-                _remove(draft)
-
-
-def _remove(draft: Path) -> None:
-    with suppress(OSError):
-        if draft.is_dir() and not draft.is_symlink():
-            shutil.rmtree(draft, ignore_errors=True)
-        else:
-            draft.unlink(missing_ok=True)
 
 
 def _flush_to_disk(path: Path) -> None:

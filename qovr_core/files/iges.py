@@ -79,9 +79,8 @@ def _start(evaluation: Evaluation, options: ExportOptions) -> list[str]:
 
 
 def _global_fields(points: Array, path: Path, unit: Unit) -> list[str]:
-    made, changed = (
-        hollerith(f"{time:%Y%m%d.%H%M%S}") if time else "" for time in (timestamp_insisted_on(), timestamp())
-    )
+    made = hollerith(f"{timestamp_insisted_on():%Y%m%d.%H%M%S}")
+    changed = made if timestamp() else ""
     names = [hollerith(text) for text in (path.stem, path.name, PROGRAM, PROGRAM)]
     precision = ["32", "38", "6", "308", "15"]  # bits of an integer, then exponents and digits of both reals
     flag, name = UNITS[unit]

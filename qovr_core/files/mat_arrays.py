@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-import zlib
 from pathlib import Path
 
 from qovr_core.document import Document
-from qovr_core.errors import FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.array_document import INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
@@ -16,6 +14,7 @@ from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, timestamp
+from qovr_core.files.reading import reading
 
 _TEXT_BYTES = 116
 """A header begins with so much text for people; version and byte order follow."""
@@ -54,13 +53,8 @@ def read_mat(path: Path) -> Document:
     FileError : the file cannot be read, is no MATLAB file of version 5 to 7, or an array holds anything but what
         belongs there
     """
-    try:
-        with path.open("rb") as file:
-            arrays = read_arrays(file, INPUTS)
-    except OSError as error:
-        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
-    except (ValueError, zlib.error) as error:
-        raise FileError(f"{path}: cannot be read: {error}") from error
+    with reading(path, "cannot be read:") as file:
+        arrays = read_arrays(file, INPUTS)
     return document_from_arrays(arrays, path)
 
 

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
-from qovr_core.checks import checked_knot, described
+from qovr_core.checks import Verbatim, checked_knot, described
 from qovr_core.document import NET_SIZE, Document
 from qovr_core.edits import knots_of
-from qovr_core.errors import DocumentError, FileError
+from qovr_core.errors import DocumentError, quoted
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.format import Format
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
+from qovr_core.files.reading import reading
 from qovr_core.geometry.knots import Direction, Knots
 
 FORMAT = "qovr-document"
@@ -22,6 +23,9 @@ VERSION = 1
 
 LARGEST_FILE = 1_000_000
 """Bytes; a document is a few thousand, so a larger file is something else."""
+
+_MOST_DIGITS = 4000
+"""Digits of a whole number that are read at all: more take Python long, and it refuses them."""
 
 _KEYS = ("format", "version", "formulation", "samples", "control_points", "row_knots", "column_knots")
 
@@ -34,10 +38,8 @@ def read_document(path: Path) -> Document:
     FileError : the file cannot be read, is no JSON, or holds anything but a valid document; the text names the
         place in it, what stands there and what is expected
     """
-    try:
-        return document_from_json(_read_text(path))
-    except (DocumentError, ValueError) as error:
-        raise FileError(f"{path}: {error}") from error
+    with reading(path) as file:
+        return document_from_json(_text(file))
 
 
 def write_document(document: Document, path: Path) -> None:
@@ -125,7 +127,7 @@ def _check_version(version: object) -> None:
 def _check_keys(entries: dict[str, Any], keys: tuple[str, ...], place: str) -> None:
     for key in entries:
         if key not in keys:
-            raise DocumentError(f"{place}{key}", "no key of a document", "only " + ", ".join(keys))
+            raise DocumentError(f"{place}{quoted(key)}", "no key of a document", "only " + ", ".join(keys))
     for key in keys:
         if key not in entries:
             raise DocumentError(f"{place}{key}", "missing", "all of " + ", ".join(keys))
@@ -144,23 +146,19 @@ def _knots(value: object, place: str, names: tuple[str, ...]) -> Knots:
     return Knots(*(checked_knot(value[name], f"{place}.{name}") for name in names))
 
 
-def _read_text(path: Path) -> str:
-    try:
-        with path.open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)
-    except OSError as error:
-        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
+def _text(file: BinaryIO) -> str:
+    content = file.read(LARGEST_FILE + 1)
     if len(content) > LARGEST_FILE:
-        raise FileError(f"{path}: is larger than {LARGEST_FILE // 1000} kB; expected a document of a few kB")
+        raise ValueError(f"is larger than {LARGEST_FILE // 1000} kB; expected a document of a few kB")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise FileError(f"{path}: byte {error.start} is no UTF-8; expected a JSON document") from error
+        raise ValueError(f"byte {error.start} is no UTF-8; expected a JSON document") from error
 
 
 def _parsed(text: str) -> object:
     try:
-        return json.loads(text, object_pairs_hook=_without_repeats)
+        return json.loads(text, object_pairs_hook=_without_repeats, parse_int=_whole_number)
     except json.JSONDecodeError as error:
         raise ValueError(f"line {error.lineno}, column {error.colno} is no JSON: {error.msg}") from error
     except RecursionError:
@@ -168,9 +166,13 @@ def _parsed(text: str) -> object:
 
 
 def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    entries = dict(pairs)
-    if len(entries) != len(pairs):
-        names = [key for key, _ in pairs]
-        repeated = next(key for key in names if names.count(key) > 1)
-        raise DocumentError(repeated, "given twice", "each key once")
+    entries: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in entries:
+            raise DocumentError(quoted(key), "given twice", "each key once")
+        entries[key] = value
     return entries
+
+
+def _whole_number(text: str) -> int | Verbatim:
+    return int(text) if len(text) <= _MOST_DIGITS else Verbatim(text)

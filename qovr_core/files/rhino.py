@@ -74,17 +74,8 @@ def _dated(content: bytes) -> bytes:
 
 def _calendar(time: datetime) -> tuple[int, ...]:
     """Return a time as C has it: months count from 0, years from 1900, days of the week from Sunday."""
-    day = time.timetuple()
-    return (
-        day.tm_sec,
-        day.tm_min,
-        day.tm_hour,
-        day.tm_mday,
-        day.tm_mon - 1,
-        day.tm_year - 1900,
-        (day.tm_wday + 1) % 7,
-        day.tm_yday - 1,
-    )
+    year, month, day, hour, minute, second, weekday, yearday, _ = time.timetuple()
+    return second, minute, hour, day, month - 1, year - 1900, (weekday + 1) % 7, yearday - 1
 
 
 def read_3dm(path: Path) -> Document:

@@ -41,4 +41,4 @@ def read_source(source: str) -> Document:
         if entry.reader is not None and suffix in (entry.suffix, *entry.other_suffixes, *entry.suffixes_read):
             return entry.reader(path)
     expected = f"a file of {', '.join(readable_suffixes())}, or {PRESET_PREFIX}NAME"
-    raise SourceError(f"{source}: is no source; expected {expected}")
+    raise SourceError(f"{source or 'an empty name'}: is no source; expected {expected}")

@@ -14,7 +14,8 @@ from qovr_core.document import Document
 from qovr_core.errors import FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import published_layout as layout
-from qovr_core.files.atomic import replacing, scratch_folder, unwritable
+from qovr_core.files.atomic import replacing, unwritable
+from qovr_core.files.drafts import scratch_folder
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress

@@ -5,11 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
-
-FLAT_TOLERANCE = 1e-12
-"""An extent below this part of the largest coordinate is rounding: the axis counts as flat."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +40,7 @@ def bounding_box(points: Array) -> Array:
     return read_only(np.stack([flat.min(axis=0), flat.max(axis=0)], axis=1))
 
 
-def align(raw_box: Array, control_box: Array) -> Alignment:
+def align(raw_box: Array, control_box: Array, rounding: npt.ArrayLike = 0.0) -> Alignment:
     r"""Return the transformation that maps one box onto the other axis by axis, eqs. (61)-(65).
 
     $$x' = m_x x + c_x, \quad m_x = \frac{x^P_{max} - x^P_{min}}{x^S_{max} - x^S_{min}}, \quad
@@ -52,10 +50,11 @@ def align(raw_box: Array, control_box: Array) -> Alignment:
     ----------
     raw_box : (3, 2) box of the sampled raw surface, columns min and max
     control_box : (3, 2) box of the control points
+    rounding : (3,) an extent up to this is rounding of the raw surface (``Evaluation.rounding``), and the axis flat
     """
     raw_extent = raw_box[:, 1] - raw_box[:, 0]
     control_extent = control_box[:, 1] - control_box[:, 0]
-    is_flat = raw_extent <= FLAT_TOLERANCE * np.abs(raw_box).max(axis=1)
+    is_flat = raw_extent <= np.asarray(rounding)
     scale = np.where(is_flat, 1.0, control_extent / np.where(is_flat, 1.0, raw_extent))
     matrix = np.diag([*scale, 1.0])
     matrix[:3, 3] = control_box[:, 0] - scale * raw_box[:, 0]

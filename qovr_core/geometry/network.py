@@ -6,7 +6,11 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.geometry.knots import Direction, KnotPlace
-from qovr_core.geometry.weights import weight_coefficients, weight_slopes
+from qovr_core.geometry.weights import weight_coefficients, weight_slopes, weight_summands
+
+_UNSEEN = 1 / 32
+"""What counts of summands that cancel before a curve's points enter, and of blends that are larger than 1: their
+rounding stays below this part of them, and beside ordinary knots it does not show."""
 
 
 def network_curves(
@@ -21,11 +25,15 @@ def network_curves(
         broadcastable with those of ``net``
     kernel_decimals : to how many decimals the inverse kernels are cut; None keeps them exact
     """
-    rows = row_knots.shape[-2]
-    knots = np.concatenate([row_knots, column_knots], axis=-2)
-    weights = weight_coefficients(knots, kernel_decimals=kernel_decimals)
-    curves = weights @ np.concatenate([net, net.swapaxes(-2, -3)], axis=-3)
+    knots, points = _knots_and_points(net, row_knots, column_knots)
+    curves, rows = weight_coefficients(knots, kernel_decimals=kernel_decimals) @ points, row_knots.shape[-2]
     return curves[..., :rows, :, :], curves[..., rows:, :, :]
+
+
+def _knots_and_points(net: Array, row_knots: Array, column_knots: Array) -> tuple[Array, Array]:
+    """Return the knots (..., k + l, 4) and the points (..., k + l, 5, 3) of all curves, rows before columns."""
+    knots = np.concatenate([row_knots, column_knots], axis=-2)
+    return knots, np.concatenate([net, net.swapaxes(-2, -3)], axis=-3)
 
 
 def product_surface(along_u: Array, along_v: Array) -> Array:
@@ -52,6 +60,53 @@ def _blend(weights: Array, curves: Array) -> Array:
     """Return sum_k weights[a, k] curves[k, b, :], (..., 7, 7, 3), of (..., 7, 5) and (..., 5, 7, 3)."""
     blended = weights @ curves.reshape(*curves.shape[:-2], -1)
     return blended.reshape(*blended.shape[:-1], *curves.shape[-2:])
+
+
+def product_summands(
+    net: Array,
+    row_knots: Array,
+    column_knots: Array,
+    *,
+    kernel_decimals: int | None = None,
+    entering_rows: slice = slice(None),
+) -> Array:
+    r"""Return how large the summands of a product of sums of curves are together, by coordinate, (..., 3).
+
+    With $A_i$ the largest $\sum_j |w_{aj}| |P_{i,j}|$ over the coefficients a of C_i, and $B_j$ likewise of K_j, it is
+    $\sum_i A_i \sum_j B_j$; knots near 0 and 1, whose kernels cancel, make them larger. Parameters are those of
+    ``network_curves``, and ``entering_rows`` that of ``product_slope``.
+    """
+    rows, columns = _curve_summands(net, row_knots, column_knots, kernel_decimals)
+    product: Array = rows[..., entering_rows, :].sum(axis=-2) * columns.sum(axis=-2)
+    return product
+
+
+def boolean_sum_summands(net: Array, row_knots: Array, column_knots: Array) -> Array:
+    r"""Return how large the summands of ``boolean_sum`` are together, by coordinate, (..., 3).
+
+    It is $\sum_i A_i + \sum_j B_j + 25 \max |P|$, as in ``product_summands``; where the mean knots lie so near 0 or 1
+    that the weights which blend are large, they count too. Parameters are those of ``network_curves``.
+    """
+    rows, columns = _curve_summands(net, row_knots, column_knots, None)
+    means = np.stack([row_knots.mean(axis=-2), column_knots.mean(axis=-2)])
+    along_u, along_v = _UNSEEN * weight_summands(means).max(axis=(-1, -2))[..., None]
+    points = net.shape[-2] * net.shape[-3] * np.abs(net).max(axis=(-2, -3))
+    of_curves = np.maximum(along_v, 1) * rows.sum(axis=-2) + np.maximum(along_u, 1) * columns.sum(axis=-2)
+    summands: Array = of_curves + np.maximum(along_u * along_v / _UNSEEN, 1) * points
+    return summands
+
+
+def _curve_summands(
+    net: Array, row_knots: Array, column_knots: Array, kernel_decimals: int | None
+) -> tuple[Array, Array]:
+    """Return the largest sum |w_aj| |P_ij| over the coefficients a of each curve, (..., k, 3) and (..., l, 3)."""
+    knots, points = _knots_and_points(net, row_knots, column_knots)
+    weights = np.abs(weight_coefficients(knots, kernel_decimals=kernel_decimals))
+    unseen = _UNSEEN * weight_summands(knots, kernel_decimals=kernel_decimals)
+    points = np.abs(points)
+    sizes = np.maximum((weights @ points).max(axis=-2), (unseen @ points).max(axis=-2))
+    rows = row_knots.shape[-2]
+    return sizes[..., :rows, :], sizes[..., rows:, :]
 
 
 def product_slope(

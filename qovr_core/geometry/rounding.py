@@ -11,6 +11,12 @@ ROUNDING = 1e-12
 """A difference below this part of the largest number that entered it is rounding: thousands of operations in
 double precision lose less, and what the published workbooks cut from their kernels, up to 1e-4, is far more."""
 
+NOISE = 8 * float(np.finfo(np.float64).eps)
+"""Rounding of a surface as part of its summands; over many random nets it stays below a tenth of this."""
+
+LEAST_NOISE = float(np.finfo(np.float64).tiny)
+"""Numbers below this have lost digits to underflow, whatever they were made of."""
+
 _SIZED_AT = np.linspace(0.0, 1.0, 9)
 """Where a surface is looked at for its size; between them a polynomial of degree 6 is not much larger."""
 

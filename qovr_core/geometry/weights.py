@@ -39,7 +39,7 @@ def transformations(knots: npt.ArrayLike) -> Array:
     (..., 3, 3) float64; the second axis from the end is r, s, t, the last the coefficients of degree 2
     """
     r, s, u, t = np.moveaxis(np.asarray(knots, dtype=np.float64), -1, 0)
-    a = (s - u) / (u * u - u)
+    a = (s - u) / (u * (u - 1))  # u * u - u would lose the digits of a u near 1
     result = np.zeros((*np.shape(r), _PARABOLAS, 3))
     result[..., 0, 0] = r
     result[..., 0, 2] = r + (1 - r) / u
@@ -74,6 +74,16 @@ def weight_coefficients(knots: npt.ArrayLike, *, kernel_decimals: int | None = N
     return _blended(_monomials(transformations(k)) @ kernels)
 
 
+def weight_summands(knots: npt.ArrayLike, *, kernel_decimals: int | None = None) -> Array:
+    """Return how large all that is added up to each weight of ``weight_coefficients`` is together, (..., 7, 5).
+
+    It is far more than the weight itself where kernels of knots near 0 and 1 cancel.
+    """
+    k = np.asarray(knots, dtype=np.float64)
+    kernels = inverse_kernels(k[..., KERNEL_KNOTS], decimals=kernel_decimals)
+    return _blended(_monomials(np.abs(transformations(k))) @ np.abs(kernels))
+
+
 def transformation_slopes(knots: npt.ArrayLike) -> Array:
     """Return the derivatives of ``transformations`` with respect to the knots.
 
@@ -86,7 +96,7 @@ def transformation_slopes(knots: npt.ArrayLike) -> Array:
     (..., 4, 3, 3) float64; the third axis from the end is the knot r, s, u, t
     """
     r, s, u, t = np.moveaxis(np.asarray(knots, dtype=np.float64), -1, 0)
-    width = u * u - u
+    width = u * (u - 1)
     result = np.zeros((*np.shape(r), 4, _PARABOLAS, 3))
     result[..., 0, 0, 0] = 1
     result[..., 0, 0, 2] = 1 - 1 / u

@@ -7,14 +7,14 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import build_patch
+from qovr_core.construction import build_patch, surface_rounding
 from qovr_core.document import Document
 from qovr_core.edits import knots_of, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels, kernels
 from qovr_core.geometry.knots import Direction, Knots, knot_array
-from qovr_core.geometry.rounding import ROUNDING, largest
-from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients
+from qovr_core.geometry.rounding import NOISE, ROUNDING, largest
+from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients, weight_summands
 from qovr_core.laboratory.measurement import Condition, Measurement
 
 _QUARTIC = 4
@@ -36,12 +36,13 @@ def inverse(document: Document) -> Measurement:
     knots = _knots(document)[:, KERNEL_KNOTS]
     kernel = kernels(knots)
     inverted = inverse_kernels(knots, decimals=document.formulation.kernel_decimals)
-    deviation = largest(kernel @ inverted - np.eye(3))
-    condition = float(np.linalg.cond(kernel).max())
+    deviation = np.abs(kernel @ inverted - np.eye(3))
+    norms = (np.linalg.norm(matrices, 2, axis=(1, 2)) for matrices in (kernel, inverse_kernels(knots)))
+    condition = largest(np.prod(list(norms), axis=0))
     return Measurement(
-        value=deviation,
+        value=largest(deviation),
         what="largest entry of M M^-1 - I",
-        holds=deviation <= ROUNDING * condition,
+        holds=bool((deviation <= NOISE * (np.abs(kernel) @ np.abs(inverted))).all()),
         note=f"the largest condition number of a kernel is {condition:.4g}",
     )
 
@@ -51,7 +52,7 @@ def unity(document: Document) -> Measurement:
     weights = _weights(document)
     along = bernstein.basis(CURVE_DEGREE, np.linspace(0, 1, 101))
     deviation = largest(along @ (weights.sum(axis=-1).T - 1))
-    return Measurement(deviation, "largest |b_0 + ... + b_4 - 1|", deviation <= ROUNDING * largest(weights))
+    return Measurement(deviation, "largest |b_0 + ... + b_4 - 1|", deviation <= largest(_noise(document).sum(axis=-1)))
 
 
 def _rows_cancel(document: Document) -> bool:
@@ -70,9 +71,10 @@ KERNELS_HOLD = Condition("the kernels' rows still sum to 0, 0, 1 once they are c
 
 def quartic(document: Document) -> Measurement:
     """Every curve, and with them the surface, is of degree four (title, abstract)."""
-    of_curves = [polynomial_degree(weights) for weights in _weights(document)]
-    coefficients = build_patch(document).coefficients
-    of_patch = polynomial_degree(coefficients), polynomial_degree(coefficients.swapaxes(0, 1))
+    noise = _noise(document).max(axis=1)
+    of_curves = [polynomial_degree(*curve) for curve in zip(_weights(document), noise, strict=True)]
+    coefficients, rounding = build_patch(document).coefficients, surface_rounding(document)
+    of_patch = [polynomial_degree(patch, rounding) for patch in (coefficients, coefficients.swapaxes(0, 1))]
     higher = [name for name, degree in zip(curve_names(document), of_curves, strict=True) if degree > _QUARTIC]
     degree = max(*of_curves, *of_patch)
     surface = f"the surface is of degree {of_patch[0]} in u and {of_patch[1]} in v"
@@ -80,16 +82,16 @@ def quartic(document: Document) -> Measurement:
     return Measurement(float(degree), "largest degree", degree <= _QUARTIC, note)
 
 
-def polynomial_degree(coefficients: Array) -> int:
+def polynomial_degree(coefficients: Array, noise: Array) -> int:
     """Return the true degree of polynomials in Bernstein form, of all columns together, down to rounding.
 
     Parameters
     ----------
-    coefficients : (n + 1, ...) of degree n along the first axis
+    coefficients : (n + 1, ..., d) of degree n along the first axis
+    noise : (d,) what is no larger than this is rounding
     """
     degree = len(coefficients) - 1
-    size = largest(coefficients)
-    while degree and largest(np.diff(coefficients, degree, axis=0)) <= ROUNDING * 2**degree * size:
+    while degree and (np.abs(np.diff(coefficients, degree, axis=0)) <= 2**degree * noise).all():
         degree -= 1
     return degree
 
@@ -136,7 +138,7 @@ def _against_the_paper(document: Document, weights: Array, paper: list[list[floa
     return Measurement(
         value=deviation,
         what=f"largest difference of a {of_what} from the paper's",
-        holds=deviation <= ROUNDING * largest(found),
+        holds=bool((difference <= 2**CURVE_DEGREE * largest(_noise(document))).all()),
         note=f"{curve_names(document)[curve]} has {start} at 0 and {end} at 1",
     )
 
@@ -149,6 +151,11 @@ def _row(row: Array) -> str:
 def _knots(document: Document) -> Array:
     """Return the knots of all curves, (k, 4)."""
     return knot_array(document.row_knots + document.column_knots)
+
+
+def _noise(document: Document) -> Array:
+    """Return up to what size the weights of all curves are no more than rounding, (k, 7, 5)."""
+    return NOISE * weight_summands(_knots(document), kernel_decimals=document.formulation.kernel_decimals)
 
 
 def _weights(document: Document) -> Array:

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.construction import build_patch
 from qovr_core.document import Document
 from qovr_core.edits import set_point, set_values, value_at
 from qovr_core.evaluation import Evaluation, parameters
@@ -28,10 +27,6 @@ PARTS = (0.1, 0.01)
 
 DEFAULT_PART = 0.1
 """A point is moved by this part of the net's size, and a knot by as much of its interval."""
-
-_ROUNDING = 1e-12
-"""Part of the largest coordinate up to which the difference of two patches is rounding: some thousand units in the
-last place, which is what kernels of knots near 0 and 1 cost."""
 
 _SAME = 1e-9
 """Relative difference up to which displacements count as equally large."""
@@ -140,7 +135,7 @@ def influence(document: Document, change: Change, layer: Layer) -> Influence:
     DocumentError : the change leads to no valid document
     EvaluationError : before or after the change the coordinates are not finite in double precision
     """
-    displacement = _displacement(document, change.applied(document), layer)
+    displacement, noise = _displacement(document, change.applied(document), layer)
     u = v = parameters(SAMPLES)
     magnitude = read_only(_lengths(displacement, u, v))
     u_peak, v_peak, largest = _peak(displacement, u, magnitude)
@@ -158,33 +153,19 @@ def influence(document: Document, change: Change, layer: Layer) -> Influence:
         reaches=tuple(_reach(magnitude, fall, part, largest) for part in PARTS),
         edges={edge: _largest_along(displacement.edge(edge)) for edge in Edge},
         corners=read_only(_lengths(displacement, np.array([0.0, 1.0]), np.array([0.0, 1.0]))),
-        still_u=still_lines(displacement, 0),
-        still_v=still_lines(displacement, 1),
+        still_u=still_lines(displacement, 0, noise),
+        still_v=still_lines(displacement, 1, noise),
         falloff=fall,
     )
 
 
-def _displacement(before: Document, after: Document, layer: Layer) -> Patch:
-    """Return the difference of the two surfaces; what is rounding in it is exactly 0."""
-    (old, old_rounding), (new, new_rounding) = (_surface(document, layer) for document in (before, after))
-    difference = new - old
-    difference[np.abs(difference) <= np.maximum(old_rounding, new_rounding)] = 0.0
-    return Patch(difference)
-
-
-def _surface(document: Document, layer: Layer) -> tuple[Array, Array]:
-    """Return a surface's coefficients (7, 7, 3), and up to how much a difference of coordinates is rounding, (3,)."""
-    if layer is Layer.RAW:
-        patch = build_patch(document)
-        return patch.coefficients, _ROUNDING * _size(patch)
-    result = Evaluation(document)
-    scale, shift = np.diag(result.matrix)[:3], np.abs(result.matrix[:3, 3])
-    return result.transformed_patch.coefficients, _ROUNDING * np.maximum(scale * _size(result.patch), shift)
-
-
-def _size(patch: Patch) -> Array:
-    size: Array = np.abs(patch.coefficients).max(axis=(0, 1))
-    return size
+def _displacement(before: Document, after: Document, layer: Layer) -> tuple[Patch, float]:
+    """Return the difference of the two surfaces, in which what is rounding is exactly 0, and the size of rounding."""
+    old, new = Evaluation(before), Evaluation(after)
+    rounding = old.layer_rounding(layer) + new.layer_rounding(layer)
+    difference = new.layer_patch(layer).coefficients - old.layer_patch(layer).coefficients
+    difference[np.abs(difference) <= rounding] = 0.0
+    return Patch(difference), float(rounding.max())
 
 
 def _lengths(displacement: Patch, u: Array, v: Array) -> Array:

@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from qovr_core.arrays import Array, Flags, Indices
-from qovr_core.construction import build_patch
+from qovr_core.construction import build_patch, surface_rounding
 from qovr_core.document import Document
 from qovr_core.edits import set_all_knots
 from qovr_core.geometry import bernstein
@@ -16,7 +16,7 @@ from qovr_core.geometry.alignment import align, bounding_box
 from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import Knots, knot_array
 from qovr_core.geometry.patch import PATCH_DEGREE
-from qovr_core.geometry.rounding import ROUNDING, largest, part_of
+from qovr_core.geometry.rounding import NOISE, part_of
 from qovr_core.laboratory.curve_claims import curve_names
 from qovr_core.laboratory.measurement import Measurement
 from qovr_core.laboratory.trials import SAMPLES
@@ -35,13 +35,20 @@ class EdgeMotion:
     Parameters
     ----------
     parts : (k, 4) largest motion of the edges u=0, u=1, v=0, v=1, of the size of what they bound
-    keeps : (k,) whether all four keep their place to rounding
-    corners : the largest motion of a corner, likewise
+    edge_keeps : (k, 4) whether an edge keeps its place to rounding
+    corners : the largest motion of a corner, likewise of the size
+    corners_keep : whether that is rounding
     """
 
     parts: Array
-    keeps: Flags
+    edge_keeps: Flags
     corners: float
+    corners_keep: bool
+
+    @property
+    def keeps(self) -> Flags:
+        """(k,) whether all four edges keep their places."""
+        return np.asarray(self.edge_keeps.all(axis=1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,14 +116,14 @@ def _who_moves(moves: KnotMoves) -> str:
     """Name, for each edge, the curves under whose knots it moves."""
     texts = []
     for number, edge in enumerate(Edge):
-        moved = moves.raw.parts[:, number] > ROUNDING
+        moved = ~moves.raw.edge_keeps[:, number]
         curves = [moves.names[k] for k in np.unique(moves.curve[moved])]
         texts.append(f"{edge} moves under {', '.join(curves)}" if curves else f"{edge} keeps")
     return "; ".join(texts)
 
 
 def _corners(motion: EdgeMotion) -> str:
-    return f"corners move by {motion.corners:.2g}" if motion.corners > ROUNDING else "corners keep"
+    return "corners keep" if motion.corners_keep else f"corners move by {motion.corners:.2g}"
 
 
 def _by_curve(moves: KnotMoves, counted: Flags, keeps: Flags) -> dict[str, bool]:
@@ -137,24 +144,25 @@ def knot_moves(document: Document) -> KnotMoves:
     EvaluationError : the document has no finite surface
     """
     curve, knots = _moved_knots(document)
-    net = document.control_points
+    net, all_knots = document.control_points, np.split(knots, [len(document.row_knots)], axis=1)
     before = build_patch(document).coefficients
-    moved = document.formulation.build(net, *np.split(knots, [len(document.row_knots)], axis=1))
+    moved = document.formulation.build(net, *all_knots)
     patches = np.concatenate([before[None], moved])
-    noise = ROUNDING * largest(patches)
+    rounding = np.concatenate([surface_rounding(document)[None], document.formulation.rounding(net, *all_knots)])
     boxes = _sampled_boxes(patches)
     edges = _edge_points(patches)
     size = float(np.ptp(before, axis=(0, 1)).max())
-    scale, shift = _alignments(boxes, net)
+    scale, shift = _alignments(boxes, net, rounding)
     aligned = edges * scale[:, None, None] + shift[:, None, None]
-    aligned_noise = ROUNDING * (largest(scale * np.abs(boxes).max(axis=-1)) + largest(shift))
+    noise = rounding[1:] + rounding[0]
+    aligned_rounding = scale * rounding + NOISE * np.abs(shift)
     return KnotMoves(
         names=curve_names(document),
         curve=curve,
-        has_effect=np.abs(moved - before).max(axis=(1, 2, 3)) > noise,
-        box_keeps=np.abs(boxes[1:] - boxes[0]).max(axis=(1, 2)) <= noise,
+        has_effect=(np.abs(moved - before).max(axis=(1, 2)) > noise).any(axis=1),
+        box_keeps=(np.abs(boxes[1:] - boxes[0]).max(axis=2) <= noise).all(axis=1),
         raw=_motion(edges, size, noise),
-        transformed=_motion(aligned, document.net_size, aligned_noise),
+        transformed=_motion(aligned, document.net_size, aligned_rounding[1:] + aligned_rounding[0]),
     )
 
 
@@ -186,17 +194,21 @@ def _edge_points(patches: Array) -> Array:
     return points
 
 
-def _alignments(boxes: Array, net: Array) -> tuple[Array, Array]:
+def _alignments(boxes: Array, net: Array, rounding: Array) -> tuple[Array, Array]:
     """Return scale and shift of the transformation T of each raw box, each (k, 3)."""
     control_box = bounding_box(net)
-    matrices = np.array([align(box, control_box).matrix for box in boxes])
+    matrices = np.array([align(*each).matrix for each in zip(boxes, [control_box] * len(boxes), rounding, strict=True)])
     return matrices[:, range(3), range(3)], matrices[:, :3, 3]
 
 
-def _motion(edges: Array, size: float, noise: float) -> EdgeMotion:
-    """Compare the edges after each move with the first, which are those before."""
-    distances = np.linalg.norm(edges[1:] - edges[0], axis=-1)
-    largest_of_edge = distances.max(axis=-1)
-    parts = largest_of_edge / (size or 1.0)
-    corners = distances[:, :, [0, -1]].max()
-    return EdgeMotion(parts, largest_of_edge.max(axis=-1) <= noise, part_of(float(corners), size))
+def _motion(edges: Array, size: float, noise: Array) -> EdgeMotion:
+    """Compare the edges after each move with the first, which are those before; ``noise`` is (k, 3)."""
+    motion = edges[1:] - edges[0]
+    distances = np.linalg.norm(motion, axis=-1)
+    is_still = (np.abs(motion) <= noise[:, None, None]).all(axis=-1)
+    return EdgeMotion(
+        parts=distances.max(axis=-1) / (size or 1.0),
+        edge_keeps=is_still.all(axis=-1),
+        corners=part_of(float(distances[:, :, [0, -1]].max()), size),
+        corners_keep=bool(is_still[:, :, [0, -1]].all()),
+    )

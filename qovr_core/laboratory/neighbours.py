@@ -8,12 +8,12 @@ from enum import StrEnum
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import build_patch
+from qovr_core.construction import build_patch, surface_rounding
 from qovr_core.document import Document
 from qovr_core.errors import EvaluationError
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.patch import PATCH_DEGREE
-from qovr_core.geometry.rounding import ROUNDING, largest, part_of
+from qovr_core.geometry.rounding import largest, part_of
 
 CONTINUATION_SEED = 7
 """The two further columns (rows) of the larger net are drawn from this seed."""
@@ -72,13 +72,13 @@ class Joint:
         """
         first, second = (self._crossing(document) for document in (self.first, self.second))
         size = max(float(np.ptp(patch, axis=(0, 1)).max()) for patch in (first, second))
-        noise = ROUNDING * max(largest(first), largest(second))
+        noise = surface_rounding(self.first) + surface_rounding(self.second)
         jumps = []
         for _ in range(_ORDERS):
-            along = bernstein.basis(PATCH_DEGREE, _ALONG)
-            distance = float(np.linalg.norm(along @ (first[-1] - second[0]), axis=-1).max())
-            jumps.append(Jump(part_of(distance, size), distance <= noise))
-            noise *= 2 * (len(first) - 1)  # a derivative is so often a difference of two coefficients
+            difference = bernstein.basis(PATCH_DEGREE, _ALONG) @ (first[-1] - second[0])
+            distance = float(np.linalg.norm(difference, axis=-1).max())
+            jumps.append(Jump(part_of(distance, size), bool((np.abs(difference) <= noise).all())))
+            noise = noise * 2 * (len(first) - 1)  # a derivative is so often a difference of two coefficients
             first, second = bernstein.derivative(first, 0), bernstein.derivative(second, 0)
         return tuple(jumps)
 

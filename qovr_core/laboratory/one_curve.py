@@ -147,7 +147,7 @@ class OneCurve:
         if self.knots.is_monotone:
             return None
         _, s, u, _ = self.knots
-        a = (s - u) / (u * u - u)
+        a = (s - u) / (u * (u - 1))
         vertex = (a - 1) / (2 * a)
         turn = float(self.transformed([vertex])[0, 1])
         if a > 1:

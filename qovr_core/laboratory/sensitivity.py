@@ -11,9 +11,6 @@ from qovr_core.geometry.knots import KnotPlace
 from qovr_core.geometry.patch import Patch
 from qovr_core.layer import Layer
 
-_ATTAINED = 1e-12
-"""A sample this part of the largest coordinate away from a side of the box touches it: the rest is rounding."""
-
 _ROWS_AT_A_TIME = 64
 """Rows of samples looked at together, so that a fine grid is never held as a whole."""
 
@@ -52,8 +49,8 @@ def _transformed_slope(evaluation: Evaluation, raw: Patch) -> Patch:
 def _box_slopes(evaluation: Evaluation, raw: Patch) -> tuple[Array, Array]:
     """Return the derivatives of the raw box's low and high sides, each (3,)."""
     u, v = (parameters(samples) for samples in evaluation.document.samples)
-    reach = _ATTAINED * np.abs(evaluation.raw_box).max(axis=1)
-    sides = (evaluation.raw_box[:, 0] + reach, evaluation.raw_box[:, 1] - reach)
+    low_side, high_side = evaluation.raw_box.T
+    sides = (low_side + evaluation.rounding, high_side - evaluation.rounding)  # what is so near a side touches it
     least, most = np.full((2, 3), np.inf), np.full((2, 3), -np.inf)
     for start in range(0, len(u), _ROWS_AT_A_TIME):
         rows = u[start : start + _ROWS_AT_A_TIME]

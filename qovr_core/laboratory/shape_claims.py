@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import build_patch, document_arrays
+from qovr_core.construction import build_patch, document_arrays, surface_rounding
 from qovr_core.document import Document
 from qovr_core.edits import set_all_knots, set_points
 from qovr_core.evaluation import Evaluation, parameters
@@ -21,6 +21,7 @@ from qovr_core.geometry.rounding import ROUNDING, largest, part_of
 from qovr_core.laboratory.falloff import best_decay
 from qovr_core.laboratory.measurement import Condition, Measurement
 from qovr_core.laboratory.trials import SAMPLES
+from qovr_core.layer import Layer
 
 POINT_STEP = 0.1
 """A control point is moved by this part of the net's size, along all axes alike."""
@@ -51,7 +52,8 @@ def local(document: Document) -> Measurement:
     share = float((centre > _NOTICED * centre.max()).mean())
     on_edges = max(centre[edge.position].max() for edge in Edge)
     part_on_edges = part_of(float(on_edges), float(centre.max()))
-    edges = f"moves its edges by up to {part_on_edges:.2g} of that" if part_on_edges > ROUNDING else "keeps its edges"
+    is_moved = on_edges > 2 * np.linalg.norm(surface_rounding(document))
+    edges = f"moves its edges by up to {part_on_edges:.2g} of that" if is_moved else "keeps its edges"
     return Measurement(
         value=float(misfits.max()),
         what="misfit of the best exponential as part of the largest displacement",
@@ -162,12 +164,13 @@ def _asymmetry(name: str, document: Document) -> tuple[float, bool]:
             sums = patch[..., axis] + mirrored[..., axis]
             difference[..., axis] = sums - sums.mean()
     size = float(np.ptp(patch, axis=(0, 1)).max())
-    return part_of(largest(difference), size), largest(difference) <= ROUNDING * largest(patch)
+    noise = 2 * surface_rounding(document)  # of a difference, and of a sum less the mean of many
+    return part_of(largest(difference), size), bool((np.abs(difference) <= noise).all())
 
 
 def _last_row_is_symmetric(document: Document) -> bool:
     heights = symmetric_documents(document)[_HALF_TURN].control_points[-1, :, 2]
-    return largest(heights - heights[::-1]) <= ROUNDING * largest(heights)
+    return largest(heights - heights[::-1]) <= ROUNDING * largest(document.control_points[..., 2])
 
 
 def symmetry_examples(document: Document) -> tuple[Document, ...]:
@@ -188,14 +191,12 @@ def boxes(document: Document) -> Measurement:
     aligned = Evaluation(replace(document, samples=SAMPLES))
     u, v = map(parameters, SAMPLES)
     box = bounding_box(aligned.transformed_patch.points(u, v))
-    difference = largest(box - aligned.control_box)
-    scale, shift = aligned.matrix.diagonal()[:3], aligned.matrix[:3, 3]
-    noise = ROUNDING * (largest(scale[:, None] * aligned.raw_box) + largest(shift))
+    difference = np.abs(box - aligned.control_box).max(axis=1)
     flat = ", ".join(aligned.flat_axes)
     return Measurement(
-        value=part_of(difference, document.net_size),
+        value=part_of(largest(difference), document.net_size),
         what=f"largest difference of the two boxes at {SAMPLES[0]} x {SAMPLES[1]} samples as part of the net's size",
-        holds=difference <= noise,
+        holds=bool((difference <= aligned.layer_rounding(Layer.TRANSFORMED)).all()),
         note=f"the raw surface has no extent along {flat}: T only moves there" if flat else "",
     )
 

@@ -11,11 +11,15 @@ _STILL = 1e-9
 """Part of the largest coefficient up to which a line does not move: what the rounding of its parameter costs."""
 
 
-def still_lines(displacement: Patch, axis: int) -> tuple[float, ...]:
+def still_lines(displacement: Patch, axis: int, noise: float = 0.0) -> tuple[float, ...]:
     """Return the lines u = c (axis 0) or v = c (axis 1) along which a displacement vanishes.
 
     Along such a line every one of the 21 polynomials that make up the displacement has a root in c; so has their
     strongest combination, whose few roots are tried. None where it vanishes everywhere.
+
+    Parameters
+    ----------
+    noise : what is no larger is rounding of the two surfaces between which the displacement is
 
     Returns
     -------
@@ -29,7 +33,7 @@ def still_lines(displacement: Patch, axis: int) -> tuple[float, ...]:
     candidates = np.concatenate([[0.0, 1.0], bernstein.roots(strongest)])
     on_line = np.abs(bernstein.basis(PATCH_DEGREE, candidates) @ table).max(axis=1)
     still: list[float] = []
-    for c in candidates[on_line <= _STILL * largest].tolist():
+    for c in candidates[on_line <= max(_STILL * largest, noise)].tolist():
         if all(abs(c - other) > bernstein.ROOT_TOLERANCE for other in still):
             still.append(c)
     return tuple(sorted(still))

@@ -74,7 +74,6 @@ def test_without_opengl_the_screenshot_still_shows_the_surface(on_display, tmp_p
         (("screenshot", "a.png", "--scale", "9"), "'9' is no scale factor; expected a number from 1 to 4"),
         (("screenshot", "a.png", "paper:fig9"), "there is no preset 'fig9'"),
         (("screenshot", "no/such/a.png"), "the folder no/such does not exist"),
-        (("missing.qovr",), "missing.qovr: cannot be read"),
         (("exprot",), "exprot: is no source"),
     ],
 )

@@ -69,9 +69,9 @@ class Bench:
         self.store.dispatch(found(*facts))
 
     def edit(self, k):
-        from qovr_app.state.intents import PointDragged
+        from qovr_app.state.intents import PointsMoved
 
-        self.store.dispatch(PointDragged(2, 2, (2.0, 2.0, 0.5 + 0.1 * float(np.sin(k + 1))), gesture=1))
+        self.store.dispatch(PointsMoved(((2, 2),), ((0.0, 0.0, 0.1 * float(np.sin(k + 1))),), gesture=1))
 
     def orbit(self, _k):
         camera = self.view.camera

@@ -15,7 +15,8 @@ import pytest
 from qovr_core import FileError
 from qovr_core.cli import main
 from qovr_core.files import atomic, read_document, write_document
-from qovr_core.files.atomic import remove_drafts, replacing, scratch_folder
+from qovr_core.files.atomic import replacing
+from qovr_core.files.drafts import remove_drafts, scratch_folder
 from support.documents import random_document
 
 POSIX = pytest.mark.skipif(os.name != "posix", reason="modes, owners and folders that can be synced are of POSIX")

@@ -116,8 +116,8 @@ def test_the_aligned_patch_is_that_of_the_whole_pipeline(formulation, samples):
 
 
 def test_alignment_by_hand():
-    raw_box = np.array([[1.0, 3.0], [-1.0, -1.0], [0.0, 10.0]])
+    raw_box = np.array([[1.0, 3.0], [-1.03125, -0.96875], [0.0, 10.0]])
     control_box = np.array([[0.0, 1.0], [5.0, 6.0], [4.0, 4.0]])
-    alignment = align(raw_box, control_box)
+    alignment = align(raw_box, control_box, [0.1, 0.1, 0.1])
     assert alignment.flat_axes == ("y",)
-    assert alignment.matrix.tolist() == [[0.5, 0, 0, -0.5], [0, 1, 0, 6], [0, 0, 0, 4], [0, 0, 0, 1]]
+    assert alignment.matrix.tolist() == [[0.5, 0, 0, -0.5], [0, 1, 0, 6.03125], [0, 0, 0, 4], [0, 0, 0, 1]]

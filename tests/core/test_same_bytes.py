@@ -69,8 +69,6 @@ def test_a_time_that_is_given_is_told(tmp_path):
 def test_a_time_that_is_none_is_refused(tmp_path):
     for text in ("yesterday", "1e9", "9" * 30):
         command = [sys.executable, "-m", "qovr_core", "export", "paper:fig5", str(tmp_path / "a.step")]
-        if not __import__("importlib.util").util.find_spec("qovr_core.__main__"):
-            command[1:3] = ["-c", "import sys; from qovr_core.cli import main; sys.exit(main())"]
         done = subprocess.run(
             command, env=environment(SOURCE_DATE_EPOCH=text), capture_output=True, text=True, check=False
         )

@@ -1,4 +1,7 @@
-"""Algorithm 1 and the interpolating definition, loop by loop in plain floats: the oracle for everything fast."""
+"""Algorithm 1 and the interpolating definition, loop by loop: the oracle for everything fast.
+
+With plain floats it is what the paper prints; with Fractions throughout it is exact.
+"""
 
 from math import trunc
 
@@ -7,16 +10,16 @@ def inverse_kernel(k, cut):
     rows = [
         [1 / k, 1 / (k * (k - 1)), 1 / (1 - k)],
         [-(k + 1) / k, 1 / (k * (1 - k)), k / (k - 1)],
-        [1.0, 0.0, 0.0],
+        [k / k, 0 * k, 0 * k],
     ]
     if not cut:
         return rows
-    return [[trunc(1e4 * x + (1e-9 if x >= 0 else -1e-9)) / 1e4 for x in row] for row in rows]
+    return [[type(x)(trunc(10_000 * x + type(x)(1e-9 if x >= 0 else -1e-9))) / 10_000 for x in row] for row in rows]
 
 
 def parabola(kernel, x, points):
-    powers = [x * x, x, 1.0]
-    total = 0.0
+    powers = [x * x, x, 1]
+    total = 0
     for row in range(3):
         for column in range(3):
             total += powers[row] * kernel[row][column] * points[column]
@@ -44,10 +47,10 @@ def point(net, rows, columns, formulation, u, v):
     cut = formulation == "published"
     result = []
     for axis in range(3):
-        total = 0.0
+        total = 0
         for i in range(5):
             if formulation == "published":
-                total = 0.0
+                total = 0
             c = curve(u, rows[i], [net[i][j][axis] for j in range(5)], cut)
             for j in range(5):
                 k = curve(v, columns[j], [net[i2][j][axis] for i2 in range(5)], cut)
@@ -61,10 +64,10 @@ def _mean(knots):
 
 
 def _interpolating(net, rows, columns, axis, u, v):
-    unit = [[float(a == b) for b in range(5)] for a in range(5)]
+    unit = [[int(a == b) for b in range(5)] for a in range(5)]
     beta = [curve(v, _mean(columns), unit[i]) for i in range(5)]
     bbar = [curve(u, _mean(rows), unit[j]) for j in range(5)]
-    total = 0.0
+    total = 0
     for i in range(5):
         total += beta[i] * curve(u, rows[i], [net[i][j][axis] for j in range(5)])
     for j in range(5):

@@ -7,8 +7,8 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDialog, QLabel, QLineEdit, QWidget
 
-from qovr_app.state.intents import Saved
-from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, value_at
+from qovr_app.state.intents import Saved, ZoneRead
+from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
 
 ROW_FIELDS = [KnotPlace(Direction.ROWS, k, name) for k in range(5) for name in "rsut"]
 COLUMN_FIELDS = [KnotPlace(Direction.COLUMNS, k, name) for k in range(5) for name in "rsut"]
@@ -53,7 +53,9 @@ class Editor:
         self.settle()
 
     def mark_saved(self):
-        """Have the document count as saved, so that nothing is asked."""
+        """Have the document count as saved, and nothing be typed over it, so that nothing is asked."""
+        for zone in Zone:
+            self.window.store.dispatch(ZoneRead(zone))
         state = self.window.store.state
         self.window.store.dispatch(Saved(Path(state.file.title), state.file.title, state.history.serial))
 

@@ -17,6 +17,7 @@ from qovr_app.main import create_window
 from qovr_app.window.application import make_application
 from qovr_app.window.recovery import recovery_folder
 from qovr_core.edits import Direction, KnotPlace, linked_places, set_values
+from qovr_core.files import ExportOptions
 from qovr_core.files.qovr_document import document_to_json
 from support.editor import Editor, name_of, wait_until
 
@@ -48,7 +49,8 @@ def main():
         if random.random() < 0.3:
             editor.trigger("save")
         if random.random() < 0.3:
-            dialog = ExportDialog(editor.document, folder / "kept", editor.window.worker, editor.window)
+            window = editor.window
+            dialog = ExportDialog(editor.document, folder / "kept", window.worker, ExportOptions(), window)
             path = dialog.findChild(QLineEdit, "export.path")
             path.selectAll()
             QTest.keyClicks(path, str(folder / f"kept{random.choice(['.xlsx', '.npz', '.csv'])}"))

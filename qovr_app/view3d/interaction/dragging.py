@@ -154,6 +154,10 @@ class PointDragger(QObject):
         """End a drag, if there is one; the point goes back."""
         self._end(self.cancelled)
 
+    def drop(self) -> None:
+        """Let go of the point, without a word."""
+        self._gesture, self._pressed = 0, None
+
     def _follow_axes(self) -> None:
         if self.is_dragging:
             self.move_to(self._at)

@@ -132,7 +132,8 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, mo
 
 def _limits(scene: Scene, settings: DisplaySettings, field: Field, values: Array) -> tuple[Range, tuple[bool, bool]]:
     """Return the limits, and whether values lie below or above them."""
-    least, every = field_rounding(field, scene.surface_box.T), values
+    rounding = scene.evaluation.layer_rounding(scene.layer)
+    least, every = field_rounding(field, scene.surface_box.T, rounding), values
     if field.axis is not None:  # coordinates are those of the document's samples, like the boxes that are printed
         every = np.array([each.surface_box[field.axis] for each in (scene, *scene.peers)])
     low, high = field_range(field, every, robust=False, least=least)

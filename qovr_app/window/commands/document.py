@@ -29,6 +29,14 @@ def file_commands() -> tuple[Command, ...]:
         Command("save", "&Save", asking(requests.SaveAsked()), menu, _Key.Save, begins_part=True),
         Command("save_as", "Save &As…", asking(requests.SaveAsked(elsewhere=True)), menu, _Key.SaveAs),
         Command(
+            "reload",
+            "&Reload",
+            asking(requests.ReloadAsked()),
+            menu,
+            tip="Read the document's file again; Undo brings back what stands here now",
+            is_enabled=lambda state: state.file.path is not None,
+        ),
+        Command(
             "export",
             "&Export Data…",
             asking(requests.ExportAsked()),

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowse
 
 from qovr_app.laboratory.claims_panel import ClaimsPanel
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
-from qovr_app.state.intents import PointDragged
+from qovr_app.state.intents import PointsMoved
 from qovr_app.work.quiet import QUIET_MILLISECONDS
 from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Formulation
@@ -66,7 +66,8 @@ def shown(lab):
 
 def edit(lab, value):
     """Move a point, as a drag in the view does it."""
-    lab.window.store.dispatch(PointDragged(2, 2, (2.0, 2.0, value), gesture=0))
+    z = lab.document.control_points[2, 2, 2]
+    lab.window.store.dispatch(PointsMoved(((2, 2),), ((0.0, 0.0, value - z),)))
 
 
 def turns_until_shown(lab):

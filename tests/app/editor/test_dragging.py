@@ -74,3 +74,20 @@ def test_staged_the_net_follows_and_the_surface_waits(editor, drag):
     assert editor.find("view.stale").isVisible()
     editor.trigger("undo")
     assert not editor.find("view.stale").isVisible()
+
+
+def test_a_document_opened_during_a_drag_ends_the_drag(editor):
+    viewport, at = place_of(editor, 4, 2)
+    QTest.mousePress(viewport, LEFT, pos=at)
+    QTest.mouseMove(viewport, at - QPoint(0, 16))
+    editor.settle()
+    assert editor.document != FIG5
+    editor.mark_saved()
+    editor.trigger("preset_fig8")
+    for step in (24, 32):
+        QTest.mouseMove(viewport, at - QPoint(0, step))
+        editor.settle()
+    QTest.mouseRelease(viewport, LEFT, pos=at)
+    editor.settle()
+    assert editor.document == preset("fig8").document
+    assert not editor.action("undo").isEnabled()

@@ -8,7 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QComboBox, QLabel, QTableWidget
 
 from qovr_app.state.display import ColourMap, ThemeName
-from qovr_app.state.intents import FormulationChosen, PointDragged
+from qovr_app.state.intents import FormulationChosen, PointsMoved
 from qovr_app.style.colour_maps import colour_table
 from qovr_app.style.palette import set_theme
 from qovr_core import Edge, Formulation, Layer
@@ -93,7 +93,7 @@ def test_it_is_live(lab):
 def test_a_surface_that_is_older_than_the_net_is_not_mixed_with_it(lab):
     lab.trigger("live")
     focus(lab, "control_points.P_2_2.z")
-    lab.dispatch(PointDragged(2, 2, (2.0, 2.0, 0.9), 1))
+    lab.dispatch(PointsMoved(((2, 2),), ((0.0, 0.0, 0.4),), 1))
     lab.settle()
     expected = influence(lab.document, PointMove(2, 2, (0, 0, 0.57)), Layer.TRANSFORMED)
     assert lab.document.control_points[2, 2, 2] == 0.9

@@ -2,7 +2,7 @@
 
 import pytest
 
-from qovr_app.state.intents import PointDragged
+from qovr_app.state.intents import PointsMoved
 from qovr_core.presets import preset
 
 
@@ -21,8 +21,7 @@ def test_two_windows_show_two_documents_and_one_outlives_the_other(make_editor, 
     spin(600)
     assert first.store.state.document == preset("fig5").document
     assert second.store.state.document == preset("fig8").document
-    moved = preset("fig5").document.control_points[2, 2] + 0.1
-    first.store.dispatch(PointDragged(2, 2, tuple(moved.tolist()), 1))
+    first.store.dispatch(PointsMoved(((2, 2),), ((0.1, 0.1, 0.1),), 1))
     spin(300)
     assert second.store.state.document == preset("fig8").document
     assert first.view.image() != second.view.image()

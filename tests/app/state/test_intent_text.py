@@ -13,6 +13,7 @@ from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
 from qovr_app.state.next_state import next_state
+from qovr_app.state.tools import Way
 from qovr_core import DocumentError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone
 from qovr_core.presets import preset
@@ -31,10 +32,19 @@ EXAMPLES = {
     intents.TextTyped: st.builds(intents.TextTyped, PLACES, st.none() | st.text()),
     intents.ZoneSet: st.builds(intents.ZoneSet, st.sampled_from(Zone), VALUES),
     intents.ZoneRead: st.builds(intents.ZoneRead, st.sampled_from(Zone)),
-    intents.PointDragged: st.builds(
-        intents.PointDragged, st.integers(0, 4), st.integers(0, 4), st.tuples(NUMBERS, NUMBERS, NUMBERS), GESTURES
+    intents.PointsMoved: st.builds(
+        intents.PointsMoved,
+        st.lists(INDICES).map(tuple),
+        st.lists(st.tuples(NUMBERS, NUMBERS, NUMBERS)).map(tuple),
+        GESTURES,
     ),
-    looking_intents.Selected: st.builds(looking_intents.Selected, st.none() | INDICES, st.lists(INDICES).map(tuple)),
+    looking_intents.Selected: st.builds(
+        looking_intents.Selected,
+        st.none() | INDICES,
+        st.lists(INDICES).map(tuple),
+        st.sampled_from(looking_intents.Picking),
+    ),
+    looking_intents.ToolChosen: st.just(looking_intents.ToolChosen("way", Way.NORMAL)),
     looking_intents.FieldFocused: st.builds(looking_intents.FieldFocused, PLACES),
     looking_intents.DisplayChosen: st.just(looking_intents.DisplayChosen("layer", LayerChoice.BOTH)),
     looking_intents.ComparisonChosen: st.builds(
@@ -42,6 +52,8 @@ EXAMPLES = {
     ),
     looking_intents.RangeFixed: st.builds(looking_intents.RangeFixed, NUMBERS, NUMBERS),
     intents.Saved: st.builds(intents.Saved, st.text("abc/.", min_size=1).map(Path), st.text(), GESTURES),
+    intents.FileFound: st.builds(intents.FileFound, st.just(Path("a")), st.none() | st.just((1, 2, 3))),
+    intents.Reloaded: st.just(intents.Reloaded(preset("fig6d").document, (1, 2, 3))),
     intents.Opened: st.just(intents.Opened(preset("fig6d").document, "a", None, (1, 2), message="b")),
     requests.DocumentAsked: st.just(requests.DocumentAsked(preset("fig8").document, "fig8")),
 }
@@ -83,7 +95,7 @@ def test_a_session_is_replayed_from_its_text():
     session = [
         intents.Configured(),
         intents.ValuesEdited({KnotPlace(Direction.ROWS, 4, "s"): 0.6}),
-        intents.PointDragged(2, 2, (2.0, 2.0, 0.9), 1),
+        intents.PointsMoved(((2, 2),), ((0.0, 0.0, 0.4),), 1),
         intents.GestureEnded(1),
         intents.FormulationChosen("interpolating"),
         intents.Undone(),

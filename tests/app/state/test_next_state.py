@@ -29,8 +29,9 @@ def after(state: EditorState, *asked: intents.Intent) -> EditorState:
     return state
 
 
-def dragged(z: float, gesture: int = 7) -> intents.PointDragged:
-    return intents.PointDragged(2, 2, (2.0, 2.0, z), gesture)
+def dragged(z: float, gesture: int = 7) -> intents.PointsMoved:
+    """Return what drags P 2,2 of Figure 5 to a height."""
+    return intents.PointsMoved(((2, 2),), ((0.0, 0.0, z - 0.5),), gesture)
 
 
 def test_a_step_changes_no_state_it_was_given(start):

@@ -1,0 +1,39 @@
+"""What the hand does in the view: values that the window keeps from one start to the next."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Way(StrEnum):
+    """Along what a point moves that is dragged itself: its height, the view's plane, or the surface's normal."""
+
+    Z = "z"
+    VIEW = "view"
+    NORMAL = "normal"
+
+
+@dataclass(frozen=True)
+class ToolSettings:
+    """How control points are picked and moved; ``replace`` makes the next one.
+
+    Parameters
+    ----------
+    way : along what a dragged point moves
+    selects : whether a drag draws a rectangle that selects, wherever it begins
+    snaps, snap_step : whether a drag keeps to multiples of a step, in the document's units
+    soft, soft_radius : whether moves fade out over the points around, and after how many steps along the net
+    symmetry_rows, symmetry_columns : whether moves are mirrored across the rows' middle, and the columns'
+    xray : whether points behind the surface can be picked
+    """
+
+    way: Way = Way.Z
+    selects: bool = False
+    snaps: bool = False
+    snap_step: float = 0.05
+    soft: bool = False
+    soft_radius: float = 2.0
+    symmetry_rows: bool = False
+    symmetry_columns: bool = False
+    xray: bool = False
