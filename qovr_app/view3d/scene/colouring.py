@@ -29,6 +29,8 @@ _NO_RANGE = (np.nan, np.nan)
 _LONGEST_NAME = 24
 
 SINGULAR_NOTE = "There is no curvature: the surface is drawn together into a line or a point"
+SIZE_NOTE = "There is no curvature: at this size its numbers are too large or too small for a computer"
+FAR_NOTE = "Between its samples the surface runs far out of the picture"
 
 _STRETCHED = " (stretched)"
 
@@ -66,7 +68,7 @@ class Colouring:
         values, (low, high) = self.values(counts), self.limits
         parts = np.subtract(values, low)
         if high > low:
-            parts *= 1 / (high - low)
+            parts /= high - low
         else:
             parts[np.isfinite(parts)] = 0.5
         result = np.clip(parts, -_FARTHEST, _FARTHEST).astype(np.float32)
@@ -184,8 +186,15 @@ def _missing(scene: Scene, field: Field) -> str:
 def _remark(scene: Scene, field: Field, limits: Range) -> str:
     """Return what the values leave to be said."""
     if np.isnan(limits[0]):
-        return SINGULAR_NOTE
+        return SINGULAR_NOTE if _has_products(scene.surface_box) else SIZE_NOTE
     slope = scene.knot_slope if field.needs is Need.KNOT else None
     if slope is not None and not slope.coefficients.any():
         return f"{_name_beside(scene, field.needs)} has no effect on the {scene.document.formulation} surface"
-    return ""
+    return FAR_NOTE if scene.leaves_sight else ""
+
+
+def _has_products(box: Array) -> bool:
+    """Return whether the products of four lengths, of which curvature is made, are numbers for a surface in a box."""
+    extent = float(np.ptp(box, axis=1).max())
+    with np.errstate(over="ignore", under="ignore"):
+        return bool(0 < np.float64(extent) ** 4 < np.inf) or extent == 0

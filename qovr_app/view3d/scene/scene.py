@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from qovr_app.state.display import Scaling
-from qovr_app.view3d.scene.frame import Frame, frame_around
+from qovr_app.view3d.scene.frame import FARTHEST, Frame, frame_around
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
@@ -84,6 +84,11 @@ class Scene:
             return None
         return knot_sensitivity(self.evaluation, knot, self.layer)
 
+    @property
+    def leaves_sight(self) -> bool:
+        """Whether the surface runs so far between its samples, after which the axes are, that it cannot be seen."""
+        return isinstance(self.patch, Patch) and bool(np.abs(self.patch.coefficients).max() > FARTHEST)
+
     def beside(self, need: Need | None) -> ParametricSurface | None:
         """Return what a field with this need must be given; None where it needs nothing, or nothing is there."""
         if need is Need.REFERENCE:
@@ -151,12 +156,12 @@ def make_scene(
     document: Document | None = None,
 ) -> Scene:
     """Return one layer of an evaluation in a frame, with the control points of a document or with its own."""
-    matrix = frame.matrix if layer is Layer.RAW else frame.matrix @ evaluation.matrix
+    surface = evaluation.layer_patch(layer)
     return Scene(
         layer=layer,
         frame=frame,
-        patch=evaluation.patch.transformed(matrix),
-        surface=evaluation.layer_patch(layer),
+        patch=frame.laid_patch(surface),
+        surface=surface,
         evaluation=evaluation,
         document=document or evaluation.document,
         surface_box=read_only(_surface_box(evaluation, layer)),
