@@ -6,23 +6,25 @@ import base64
 import mmap
 import struct
 import zlib
+from dataclasses import replace
 from datetime import datetime
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 from uuid import UUID, uuid5
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
-from qovr_core.errors import DocumentError, FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
-from qovr_core.files.atomic import replacing
+from qovr_core.files.atomic import LOGGER, replacing
 from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
+from qovr_core.files.reading import reading
+from qovr_core.files.rhino_points import moved_points
 
 DOCUMENT_KEY = "qovr.document"
 
@@ -79,20 +81,28 @@ def _calendar(time: datetime) -> tuple[int, ...]:
 
 
 def read_3dm(path: Path) -> Document:
-    """Return the document that this program put into a ``.3dm`` file; geometry changed since is not looked at.
+    """Return the document that this program put into a ``.3dm`` file, its points as they stand in the file now.
+
+    Where another program has moved the named points, these count, which is told; the rest of the geometry is not
+    looked at.
 
     Raises
     ------
     FileError : the file cannot be read, is no Rhino file, or holds no valid document
     """
-    try:
-        with path.open("rb") as file:
-            text = _document_text(file)
-        return document_from_json(text)
-    except OSError as error:
-        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
-    except (DocumentError, ValueError) as error:
-        raise FileError(f"{path}: {error}") from error
+    with reading(path) as file:
+        if file.read(len(_MAGIC)) != _MAGIC:
+            raise ValueError("is no Rhino file (.3dm)")
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            document = document_from_json(_document_text(content))
+            net = moved_points(content, document.control_points)
+        moved = int((net != document.control_points).any(axis=-1).sum())
+        if not moved:
+            return document
+        document = replace(document, control_points=net)
+    points = "1 control point was" if moved == 1 else f"{moved} control points were"
+    LOGGER.warning("%s: %s moved after this program wrote the file; they count as they stand there now", path, points)
+    return document
 
 
 RHINO = Format(
@@ -108,19 +118,16 @@ RHINO = Format(
 )
 
 
-def _document_text(file: BinaryIO) -> str:
+def _document_text(content: mmap.mmap) -> str:
     """Return the document's user text, found by its key: openNURBS goes astray for minutes in damaged files."""
-    if file.read(len(_MAGIC)) != _MAGIC:
-        raise ValueError("is no Rhino file (.3dm)")
-    with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        start = content.find(_KEY_IN_FILE)
-        if start < 0:
-            raise ValueError(f"has no user text '{DOCUMENT_KEY}'; expected a file that this program exported")
-        start += len(_KEY_IN_FILE)
-        length = 2 * int.from_bytes(content[start : start + 4], "little")
-        if not 0 < length <= 2 * LARGEST_FILE:
-            raise ValueError(f"its user text '{DOCUMENT_KEY}' is {length} bytes long; expected a document")
-        return content[start + 4 : start + 4 + length].decode("utf-16-le").rstrip("\0")
+    start = content.find(_KEY_IN_FILE)
+    if start < 0:
+        raise ValueError(f"has no user text '{DOCUMENT_KEY}'; expected a file that this program exported")
+    start += len(_KEY_IN_FILE)
+    length = 2 * int.from_bytes(content[start : start + 4], "little")
+    if not 0 < length <= 2 * LARGEST_FILE:
+        raise ValueError(f"its user text '{DOCUMENT_KEY}' is {length} bytes long; expected a document")
+    return content[start + 4 : start + 4 + length].decode("utf-16-le").rstrip("\0")
 
 
 def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any:
