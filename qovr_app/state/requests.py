@@ -116,6 +116,11 @@ class RangeAsked(Request):
 
 
 @dataclass(frozen=True)
+class TransformAsked(Request):
+    """Ask by how much the selected points are moved, scaled and rotated."""
+
+
+@dataclass(frozen=True)
 class FocusAsked(Request):
     """Bring the keyboard to a zone or to the view, by its name."""
 

@@ -15,13 +15,13 @@ _MENU = "&Points/&Tool"
 _WAYS = {
     Way.Z: ("Move along &z", "A dragged point changes its height alone"),
     Way.VIEW: ("Move in the &view plane", "A dragged point follows the mouse in the plane of the view"),
-    Way.NORMAL: ("Move along the &normal", "A dragged point moves along the surface's normal at its nearest place"),
+    Way.NORMAL: ("Move along the nor&mal", "A dragged point moves along the surface's normal at its nearest place"),
 }
 
 _SWITCHES = {
     "tool_select": ("selects", "&Select with a rectangle", "A drag selects the points in its rectangle"),
     "snap": ("snaps", "S&nap to the step", "A drag keeps to multiples of the step"),
-    "soft": ("soft", "S&oft moves", "The points around follow, less with every step along the net"),
+    "soft": ("soft", "So&ft moves", "The points around follow, less with every step along the net"),
     "symmetry_rows": (
         "symmetry_rows",
         "Symmetry across &rows",
