@@ -163,6 +163,13 @@ class Redone(Intent):
 
 
 @dataclass(frozen=True)
+class WentTo(Intent):
+    """So many steps of the history are done."""
+
+    index: int
+
+
+@dataclass(frozen=True)
 class Configured(Intent):
     """The surface is that of the document from now on."""
 

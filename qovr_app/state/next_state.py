@@ -26,6 +26,7 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.SamplesChosen: document_steps.samples_chosen,
     intents.Undone: document_steps.undone,
     intents.Redone: document_steps.redone,
+    intents.WentTo: document_steps.went_to,
     intents.Configured: document_steps.configured,
     intents.LiveSwitched: document_steps.live_switched,
     intents.CurvesLinked: lambda state, intent: replace(state, links_curves=intent.is_linked),
