@@ -15,7 +15,7 @@ from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, zone_of
 from qovr_core.fields import Field
 
-DRAG_HINT = "Drag: in the view plane. Hold X, Y or Z: along that axis. Esc: put the point back."
+DRAG_HINT = "Drag: up and down along z. Tap X, Y or Z: along that axis. Type a value. Esc: put the point back."
 
 
 def selected(state: EditorState, intent: looking_intents.Selected) -> EditorState:

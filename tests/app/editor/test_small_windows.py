@@ -1,7 +1,8 @@
 """1366 x 768 at 125 % and 150 %, and text half as large again: every control can be reached."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
@@ -43,6 +44,26 @@ def test_every_control_of_the_zones_can_be_scrolled_to(make_editor, scaled_text,
         seen = control.visibleRegion().boundingRect()
         assert seen == control.rect(), control.objectName()
         assert control.width() >= control.minimumSizeHint().width() or isinstance(control, QAbstractSlider)
+
+
+def test_a_wheel_over_what_has_not_the_keyboard_is_left_to_the_zones(make_editor):
+    editor = make_editor("paper:fig5", (911, 512))
+    for name in ("row_knots.C_2.s", "column_knots.slider", "control_points.P_3_3.x", "surface.formulation"):
+        widget = editor.find(name)
+        widget.clearFocus()
+        at = QPointF(widget.rect().center())
+        event = QWheelEvent(
+            at,
+            widget.mapToGlobal(at),
+            QPoint(),
+            QPoint(0, -120),
+            Qt.MouseButton.NoButton,
+            Qt.KeyboardModifier.NoModifier,
+            Qt.ScrollPhase.NoScrollPhase,
+            False,
+        )
+        QApplication.sendEvent(widget, event)
+        assert not event.isAccepted(), name  # so Qt hands it to what lies around, up to the zones
 
 
 def test_the_keyboard_brings_a_zone_into_sight_and_a_wide_window_its_columns_back(make_editor):
