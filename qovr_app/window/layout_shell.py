@@ -9,9 +9,9 @@ from PySide6.QtWidgets import QDialog, QWidget
 from qovr_app.dialogs.range_dialog import RangeDialog
 from qovr_app.dialogs.transform_dialog import TransformDialog
 from qovr_app.state import requests
-from qovr_app.state.intents import PointsEdited
 from qovr_app.state.looking_intents import RangeFixed
 from qovr_app.state.names import points_text
+from qovr_app.state.point_intents import PointsEdited
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
