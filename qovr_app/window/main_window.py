@@ -74,9 +74,9 @@ class MainWindow(QMainWindow):
         self.parts = Layout(self.store, self.worker, self)
         folder, commit = Folder(preferences), self.parts.commit_typed
         self._documents = DocumentShell(self.store, self, folder, self.worker, commit)
-        save_view = self.parts.view_frame.save_figure
+        view_writer = self.parts.view_frame.figure_writer
         exports = ExportShell(
-            self.store, self, folder, self.worker, preferences, save_view=save_view, commit_typed=commit
+            self.store, self, folder, self.worker, preferences, view_writer=view_writer, commit_typed=commit
         )
         self._offer = RecoveryOffer(self._documents, self.store, self.worker, self)
         self._outside, self._watch = OutsideOffer(self.store, self), FileWatch(self.store, self)
