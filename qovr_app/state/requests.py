@@ -61,11 +61,11 @@ class DrawingAsked(Request):
     Parameters
     ----------
     name : what is added to the document's name for that of the file
-    write : writes the drawing to a path, with the options of a figure
+    write : writes the drawing to a path, with the options of a figure, as a job
     """
 
     name: str
-    write: Callable[[Path, Any], None]
+    write: Callable[[Path, Any, Any], None]
 
 
 @dataclass(frozen=True)

@@ -103,7 +103,11 @@ def test_the_right_button_opens_the_menu_of_what_is_there(editor):
         "context.colour_bar": QPoint(viewport.width() - 30, viewport.height() // 2),
         "context.view": QPoint(6, 6),
     }
-    names = {"context.point": "smooth_points", "context.colour_bar": "colour_map_cividis", "context.view": "camera_back"}
+    names = {
+        "context.point": "smooth_points",
+        "context.colour_bar": "colour_map_cividis",
+        "context.view": "camera_back",
+    }
     for name, at in places.items():
         QTest.mouseClick(viewport, Qt.MouseButton.RightButton, pos=at)
         menu = editor.find(name, QMenu)
