@@ -28,6 +28,7 @@ class LayoutShell:
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,
+            requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
             requests.TransformAsked: self._ask_transform,
             requests.ZoneButtonPressed: self._press_zone_button,
