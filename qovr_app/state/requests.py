@@ -111,6 +111,11 @@ class CameraAsked(Request):
 
 
 @dataclass(frozen=True)
+class ViewRestartAsked(Request):
+    """Begin again with the drawing of the view."""
+
+
+@dataclass(frozen=True)
 class RangeAsked(Request):
     """Ask for the ends of a fixed range of colours."""
 

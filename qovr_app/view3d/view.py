@@ -42,6 +42,7 @@ class View3D(QWidget):
     point_selected : (i, j) or None
     point_dragged : i, j, the wanted coordinates (3,) float64, and the drag's gesture number
     drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
+    faulted : why the picture could not be drawn: an error of the program; the next picture is tried again
     fell_back : once, why OpenGL is not used
     frame_painted : a frame has reached the window
     """
@@ -50,6 +51,7 @@ class View3D(QWidget):
     point_dragged = Signal(int, int, object, int)
     drag_finished = Signal(int)
     drag_cancelled = Signal(int)
+    faulted = Signal(str)
     fell_back = Signal(str)
     frame_painted = Signal()
 
@@ -65,6 +67,7 @@ class View3D(QWidget):
         self._viewports = Viewports(self, self.picture)
         self._viewports.interactor_made.connect(self._listen)
         self._viewports.painted.connect(self.frame_painted)
+        self._viewports.faulted.connect(self.faulted)
         self._viewports.fell_back.connect(self.fell_back)
         self._viewports.arrange(self._shown.viewports)
 
@@ -143,6 +146,11 @@ class View3D(QWidget):
         if picture is None:
             return "", (math.nan, math.nan)
         return picture.colouring.title, picture.colouring.limits
+
+    def restart(self) -> None:
+        """Begin again with new viewports, and with OpenGL if it can be used by now."""
+        self._viewports.restart()
+        self._lay_out()
 
     # The camera
 

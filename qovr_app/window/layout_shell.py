@@ -22,11 +22,12 @@ class LayoutShell:
     def __init__(self, store: Store, layout: Layout, window: QWidget) -> None:
         self._store, self._layout, self._window = store, layout, window
         self._help: HelpDialog | None = None
-        clipboard = Clipboard(layout, layout.view_frame.probe_text, store.dispatch)
+        clipboard = Clipboard(layout, store.dispatch)
         self.answers: Answers = {
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,
+            requests.ViewRestartAsked: layout.view_frame.restart,
             requests.RangeAsked: self._ask_range,
             requests.ZoneButtonPressed: self._press_zone_button,
             requests.FocusAsked: lambda asked: layout.focus_part(asked.part),

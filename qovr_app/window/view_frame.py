@@ -6,12 +6,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.requests import CameraAsked
+from qovr_app.state.requests import CameraAsked, ViewRestartAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
@@ -86,6 +86,16 @@ class ViewFrame(QWidget):
         else:
             self.view.fit()
 
+    def restart(self, _request: ViewRestartAsked) -> None:
+        """Begin again with the drawing, and with OpenGL if it can be used by now."""
+        self.view.restart()
+        if self.view.uses_opengl:
+            self._store.dispatch(looking_intents.MessageShown("The view has begun again, with OpenGL"))
+
+    def image(self) -> QImage:
+        """Return what is seen, at the device's resolution."""
+        return self.view.image()
+
     def save_figure(self, path: Path, options: FigureOptions) -> None:
         """Write what is seen; see ``View3D.save_figure``."""
         self.view.save_figure(path, options)
@@ -131,6 +141,7 @@ class ViewFrame(QWidget):
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
         view.point_selected.connect(lambda index: dispatch(looking_intents.Selected(index)))
+        view.faulted.connect(lambda reason: dispatch(looking_intents.MessageShown(reason, is_refusal=True)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
 
     def _make_herald(self) -> QWidget | None:
