@@ -9,17 +9,17 @@ from PySide6.QtWidgets import (
     QComboBox,
     QDialog,
     QDialogButtonBox,
-    QDoubleSpinBox,
     QFileDialog,
     QFormLayout,
-    QLabel,
-    QSpinBox,
     QWidget,
 )
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.state.figure_options import SUFFIXES, FigureOptions
 from qovr_app.widgets.parts import named
+from qovr_app.widgets.plain import plain_label
+from qovr_app.widgets.spin_boxes import CountBox, NumberBox
+from qovr_app.widgets.wheel import guard_from_wheels
 
 _FIRST = FigureOptions()
 _MILLIMETRES = "millimetres"
@@ -37,12 +37,13 @@ class FigureDialog(QDialog):
         self.setWindowTitle("Save Figure")
         self.path, self._vectors = path, vectors
         self._unit = named(QComboBox(self), "figure.unit")
+        guard_from_wheels(self._unit)
         self._unit.addItems([_MILLIMETRES, _PIXELS])
         self._width = self._length("figure.width", _FIRST.width)
         self._height = self._length("figure.height", _FIRST.height)
-        self._dpi = named(QSpinBox(self, minimum=30, maximum=2400, value=round(_FIRST.dpi or 300)), "figure.dpi")
+        self._dpi = named(CountBox(30, 2400, round(_FIRST.dpi or 300), self), "figure.dpi")
         self._transparent = named(QCheckBox("Transparent background (PNG and SVG)", self), "figure.transparent")
-        self._note = named(QLabel(self), "figure.note")
+        self._note = named(plain_label("", self), "figure.note")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self._choose_file)
         buttons.rejected.connect(self.reject)
@@ -70,8 +71,8 @@ class FigureDialog(QDialog):
             transparent=self._transparent.isChecked(),
         )
 
-    def _length(self, name: str, value: float) -> QDoubleSpinBox:
-        return named(QDoubleSpinBox(self, decimals=1, minimum=10.0, maximum=20_000.0, value=value), name)
+    def _length(self, name: str, value: float) -> NumberBox:
+        return named(NumberBox(10.0, 20_000.0, 1, value, self), name)
 
     def _change_unit(self, unit: str) -> None:
         """Keep the figure's size when its unit changes."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from importlib.resources import files
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
@@ -21,11 +21,11 @@ class HelpDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Help")
         self.setObjectName("help")
-        text = named(QTextBrowser(self), "help.text")
+        text = self._text = named(QTextBrowser(self), "help.text")
         text.setOpenExternalLinks(True)
         text.setFrameShape(QTextBrowser.Shape.NoFrame)
         text.document().setDocumentMargin(_MARGIN)
-        text.setHtml(files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8"))
+        self._read()
         text.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextBrowserInteraction | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
@@ -36,3 +36,13 @@ class HelpDialog(QDialog):
         layout.addWidget(text)
         layout.addWidget(without_icons(buttons))
         self.resize(_SIZE)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            place = self._text.verticalScrollBar().value()
+            self._read()  # links keep the colour in which they were read
+            self._text.verticalScrollBar().setValue(place)
+
+    def _read(self) -> None:
+        self._text.setHtml(files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8"))

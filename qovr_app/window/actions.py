@@ -9,6 +9,7 @@ from PySide6.QtGui import QAction, QActionGroup, QKeySequence
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.store import Store
+from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.commands import Command
 
 
@@ -59,8 +60,8 @@ class Actions(QObject):
 
 
 def _name(action: QAction, verb: str, noun: str) -> None:
-    text = f"{verb} {noun}".strip()
+    text = f"{verb} {menu_text(noun)}".strip()
     if action.text() != text:
         action.setText(text)
-        action.setToolTip(text.replace("&", ""))
+        action.setToolTip(plain_tip(f"{verb.replace('&', '')} {noun}".strip()))
         action.setIconText(verb.replace("&", ""))

@@ -9,8 +9,8 @@ from PySide6.QtGui import QGuiApplication
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import CopyAsked, PasteAsked
 from qovr_app.store import Dispatch
+from qovr_app.widgets.clipboard import copy_table
 from qovr_app.window.layout import Layout
-from qovr_core.number_texts import block_text
 
 
 class Clipboard:
@@ -26,15 +26,15 @@ class Clipboard:
 
     def paste(self, _request: PasteAsked) -> None:
         """Paste a spreadsheet's block into the zone that has the keyboard."""
-        self._layout.current_zone().paste_block(QGuiApplication.clipboard().text())
+        self._layout.current_zone().paste()
 
     def _copy_zone(self) -> str:
         zone = self._layout.current_zone()
-        QGuiApplication.clipboard().setText(block_text(zone.copied_block()))
+        copy_table(zone.copied_block())
         return f"Copied the {zone.accessibleName().lower()}"
 
     def _copy_plane(self) -> str:
-        QGuiApplication.clipboard().setText(block_text(self._layout.points.copied_plane()))
+        copy_table(self._layout.points.copied_plane())
         return "Copied one coordinate of all control points"
 
     def _copy_probe(self) -> str:

@@ -15,6 +15,7 @@ from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.state.requests import SourceAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
+from qovr_app.widgets.plain import title_text
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
@@ -129,7 +130,7 @@ class MainWindow(QMainWindow):
         if before is not None and self._preferences and after.display != before.display:
             self._preferences.note_display(before.display, after.display)
         if after.differs(before, "history", "file", "draft", "texts"):
-            self.setWindowTitle(f"{after.file.title}[*] - {NAME}")
+            self.setWindowTitle(f"{title_text(after.file.title)}[*] - {NAME}")
             self.setWindowModified(after.is_changed)
 
     # Coming and going

@@ -15,6 +15,7 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_table import NumberTable
 from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.samples_field import SamplesField
 from qovr_core import FORMULATIONS, Document, Evaluation
 
@@ -28,6 +29,7 @@ class SurfaceZone(QFrame):
         self.setObjectName("zone.surface")
         self.setAccessibleName("Surface")
         self._formulation = QComboBox(self)
+        guard_from_wheels(self._formulation)
         self._formulation.setObjectName("surface.formulation")
         self._samples = (self._samples_field("u"), self._samples_field("v"))
         self._configure = CompactButton(

@@ -14,6 +14,7 @@ from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
 from qovr_app.state.typed import typed_block
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.clipboard import Rows, pasted_cells
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import MARGINS, CompactButton, title_html
 from qovr_core import DocumentError, QovrError
@@ -89,17 +90,17 @@ class FieldZone(QFrame):
         return self._store.state.fields.get(self.zone, next(iter(self.fields)))
 
     @abstractmethod
-    def copied_block(self) -> list[list[float]]:
+    def copied_block(self) -> Rows:
         """Return the zone's numbers as a table, as they lie in a spreadsheet."""
 
     @abstractmethod
     def _places_of_block(self, rows: int, columns: int) -> Sequence[Sequence[Place]]:
         """Return where a block of this size goes, or raise DocumentError with the sizes that have a place."""
 
-    def paste_block(self, text: str) -> None:
-        """Report the numbers of a spreadsheet's block, all or none."""
+    def paste(self) -> None:
+        """Report the numbers of the table on the clipboard, all or none."""
         try:
-            block = typed_block(text)
+            block = typed_block(pasted_cells(), self._has_place)
             places = self._places_of_block(len(block), len(block[0]))
             values = {}
             for place_row, row in zip(places, block, strict=True):
@@ -116,7 +117,7 @@ class FieldZone(QFrame):
 
     _check: Callable[[object, str], float]
 
-    def _make_field(self, place: Place, step: float) -> NumberField:
+    def _make_field(self, place: Place, step: Callable[[float], float]) -> NumberField:
         field = NumberField(label(place), self._check, step, self)
         field.setObjectName(object_name(place))
         field.setAccessibleName(spoken(place))
@@ -124,7 +125,7 @@ class FieldZone(QFrame):
         field.refused.connect(lambda reason: self._refuse(reason and f"{reason}."))
         field.focused.connect(lambda: self._store.dispatch(FieldFocused(place)))
         field.text_owned.connect(lambda: self._on_text_owned(place, field))
-        field.block_pasted.connect(self.paste_block)
+        field.block_pasted.connect(self.paste)
         self.fields[place] = field
         return field
 
@@ -162,6 +163,14 @@ class FieldZone(QFrame):
         count = sum(self._store.state.is_pending(place) for place in self.fields)
         self._set.set_due(count > 0)
         self._count.setText(f"{count} not set" if count else "")
+
+    def _has_place(self, rows: int, columns: int) -> bool:
+        """Return whether a block of this size has a place."""
+        try:
+            self._places_of_block(rows, columns)
+        except DocumentError:
+            return False
+        return True
 
     def _no_place(self, rows: int, columns: int, expected: str) -> DocumentError:
         return DocumentError("the block", f"{rows} x {columns} numbers", expected)

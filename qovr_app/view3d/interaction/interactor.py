@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.view3d.interaction.camera_input import moved_by_gesture, moved_by_key, moved_by_mouse, moved_by_wheel
 from qovr_app.view3d.interaction.dragging import PointDragger, PressedPoint
-from qovr_app.view3d.interaction.keys import AXIS_KEYS, arrow_step, next_point
+from qovr_app.view3d.interaction.keys import arrow_step, axis_of, next_point
 from qovr_app.view3d.interaction.picking import pick
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.picture import Picture
@@ -137,7 +137,7 @@ class Interactor(QObject):
             return self._claim(event)
         if event.type() == QEvent.Type.KeyPress:
             return self._on_key_press(event, picture)
-        axis = AXIS_KEYS.get(event.key())
+        axis = axis_of(event)
         if axis is None or not self.dragger.holds_axis(axis):
             return False
         if not event.isAutoRepeat():
@@ -146,16 +146,17 @@ class Interactor(QObject):
 
     def _claim(self, event: QKeyEvent) -> bool:
         """Claim the axis keys and Escape during a drag, whatever shortcuts the window has."""
-        is_claimed = self.dragger.is_pressed and (event.key() in AXIS_KEYS or event.key() == Qt.Key.Key_Escape)
+        is_claimed = self.dragger.is_pressed and (axis_of(event) is not None or event.key() == Qt.Key.Key_Escape)
         if is_claimed:
             event.accept()
         return is_claimed
 
     def _on_key_press(self, event: QKeyEvent, picture: Picture) -> bool:
         key, selected, shape = event.key(), picture.last_selected, picture.scene.net_shape
-        if key in AXIS_KEYS and self.dragger.is_pressed:
+        axis = axis_of(event)
+        if axis is not None and self.dragger.is_pressed:
             if not event.isAutoRepeat():
-                self.dragger.hold_axis(AXIS_KEYS[key])
+                self.dragger.hold_axis(axis)
             return True
         if key == Qt.Key.Key_Escape:
             return self._escape(picture)

@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QKeyEvent
 
 from qovr_app.view3d.scene.camera import Camera
 from qovr_core.document import NetIndex
 
-AXIS_KEYS: dict[int, int] = {Qt.Key.Key_X: 0, Qt.Key.Key_Y: 1, Qt.Key.Key_Z: 2}
+_AXIS_KEYS: dict[int, int] = {Qt.Key.Key_X: 0, Qt.Key.Key_Y: 1, Qt.Key.Key_Z: 2}
 """While one of these is held, a dragged point stays on a line along that axis."""
+
+_FIRST_FOREIGN = 0x370
+"""Keys are named by their letters; from here on, those of scripts that have no X, Y, Z on any key."""
+
+_EVDEV_AXES = {53: 0, 29: 1, 52: 2}
+"""Scan codes of the keys on which a Latin keyboard has X, Y, Z: X11 and Wayland count from 8, as Linux from 0."""
+
+_MAC_AXES = {7: 0, 16: 1, 6: 2}
+_WINDOWS_AXES = {ord("X"): 0, ord("Y"): 1, ord("Z"): 2}
+"""Virtual keys, which on Windows are Latin letters under every layout, and on macOS places."""
 
 _ARROWS: dict[int, tuple[float, float]] = {
     Qt.Key.Key_Left: (-1.0, 0.0),
@@ -18,6 +29,21 @@ _ARROWS: dict[int, tuple[float, float]] = {
 }
 _ZOOM = 1.15
 _ZOOMS: dict[int, float] = {Qt.Key.Key_Plus: _ZOOM, Qt.Key.Key_Equal: _ZOOM, Qt.Key.Key_Minus: 1 / _ZOOM}
+
+
+def axis_of(event: QKeyEvent) -> int | None:
+    """Return the axis that a key stands for under any layout: by its letter, else by its place; None for other keys."""
+    key = event.key()
+    if key in _AXIS_KEYS:
+        return _AXIS_KEYS[key]
+    if not _FIRST_FOREIGN <= key < Qt.Key.Key_Escape and key != Qt.Key.Key_unknown:
+        return None
+    platform = QGuiApplication.platformName()
+    if platform == "windows":
+        return _WINDOWS_AXES.get(event.nativeVirtualKey())
+    if platform == "cocoa":
+        return _MAC_AXES.get(event.nativeVirtualKey())
+    return _EVDEV_AXES.get(event.nativeScanCode())
 
 
 def next_point(selected: NetIndex | None, shape: tuple[int, int], *, forward: bool) -> NetIndex | None:
