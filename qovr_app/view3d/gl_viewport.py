@@ -29,12 +29,14 @@ class GlViewport(QOpenGLWidget):
     """Shows a picture with OpenGL.
 
     ``painted`` tells that a frame has reached the window; ``faulted`` that an error of the program kept one from it,
-    and ``failed`` that OpenGL does not work here, each with the reason.
+    and ``failed`` that OpenGL does not work here, each with the reason; ``lost`` that the context has gone with all
+    that was in it, as after a reset of the graphics card.
     """
 
     painted = Signal()
     faulted = Signal(str)
     failed = Signal(str)
+    lost = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -120,7 +122,10 @@ class GlViewport(QOpenGLWidget):
 
     def _fail(self, error: Exception, doing: str) -> None:
         self._broken = True
-        self.failed.emit(failures.report(error, f"OpenGL failed while {doing}"))
+        if self.context() is None or not self.context().isValid():
+            self.lost.emit()
+        else:
+            self.failed.emit(failures.report(error, f"OpenGL failed while {doing}"))
 
     def _paint_frame(self, picture: Picture) -> None:
         size, ratio = self.logical_size, self.devicePixelRatioF()

@@ -36,6 +36,7 @@ class View3D(QWidget):
     """A surface with its control net, seen through one camera in one viewport or several.
 
     It holds what belongs to it alone: the camera, and where the mouse is. All else it is given by ``display``.
+    ``restart`` begins again with the drawing, and with OpenGL if it can be used by now.
 
     Signals
     -------
@@ -70,6 +71,7 @@ class View3D(QWidget):
         self._viewports.faulted.connect(self.faulted)
         self._viewports.fell_back.connect(self.fell_back)
         self._viewports.arrange(self._shown.viewports)
+        self.restart = self._viewports.restart
 
     def minimumSizeHint(self) -> QSize:
         return QSize(320, 240)
@@ -146,11 +148,6 @@ class View3D(QWidget):
         if picture is None:
             return "", (math.nan, math.nan)
         return picture.colouring.title, picture.colouring.limits
-
-    def restart(self) -> None:
-        """Begin again with new viewports, and with OpenGL if it can be used by now."""
-        self._viewports.restart()
-        self._lay_out()
 
     # The camera
 

@@ -113,6 +113,7 @@ class Viewports(QObject):
 
         viewport = GlViewport(self._parent)
         viewport.failed.connect(self._on_gl_failed)
+        viewport.lost.connect(lambda: QTimer.singleShot(0, self, self.restart))
         return viewport
 
     def _on_gl_failed(self, reason: str) -> None:

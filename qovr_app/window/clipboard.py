@@ -1,10 +1,10 @@
-"""What can be copied for a spreadsheet, and pasted from one."""
+"""What can be copied for a spreadsheet or a page, and pasted from one."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QImage
 
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import CopyAsked, PasteAsked
@@ -14,11 +14,16 @@ from qovr_app.window.layout import Layout
 
 
 class Clipboard:
-    """Copies zones, one coordinate of all points, and what the probe says; pastes blocks."""
+    """Copies zones, one coordinate of all points, the view as a picture, and what the probe says; pastes blocks."""
 
-    def __init__(self, layout: Layout, probe_text: Callable[[], str], dispatch: Dispatch) -> None:
-        self._layout, self._probe_text, self._dispatch = layout, probe_text, dispatch
-        self._copies = {"zone": self._copy_zone, "plane": self._copy_plane, "probe": self._copy_probe}
+    def __init__(self, layout: Layout, dispatch: Dispatch) -> None:
+        self._layout, self._dispatch = layout, dispatch
+        self._copies: dict[str, Callable[[], str]] = {
+            "zone": self._copy_zone,
+            "plane": self._copy_plane,
+            "probe": self._copy_probe,
+            "picture": self._copy_picture,
+        }
 
     def copy(self, request: CopyAsked) -> None:
         """Copy what the request names."""
@@ -38,8 +43,13 @@ class Clipboard:
         return "Copied one coordinate of all control points"
 
     def _copy_probe(self) -> str:
-        text = self._probe_text()
+        text = self._layout.view_frame.probe_text()
         if not text:
             return "There is nothing under the probe (F8) to copy."
         QGuiApplication.clipboard().setText(text)
         return "Copied what the probe says"
+
+    def _copy_picture(self) -> str:
+        image = self._layout.view_frame.image()
+        QGuiApplication.clipboard().setImage(image.convertToFormat(QImage.Format.Format_RGB32))
+        return f"Copied the picture of {image.width()} × {image.height()} pixels"

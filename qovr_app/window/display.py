@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from typing import Any, cast
 
 from PySide6.QtCore import QCoreApplication, QPluginLoader
 
@@ -72,8 +73,8 @@ def _plugins() -> dict[str, Path]:
     folders = [Path(path) / "platforms" for path in QCoreApplication.libraryPaths()]
     folders += [Path(path) for path in os.environ.get(_PLUGIN_PATH, "").split(os.pathsep) if path]
     files = [file for folder in folders if folder.is_dir() for file in sorted(folder.iterdir())]
-    keys = {file: QPluginLoader(str(file)).metaData().get("MetaData", {}).get("Keys", []) for file in files}
-    return {key: file for file, names in keys.items() for key in names}
+    described = {file: cast("dict[str, Any]", QPluginLoader(str(file)).metaData()) for file in files}
+    return {key: file for file, data in described.items() for key in data.get("MetaData", {}).get("Keys", [])}
 
 
 def _reason_against_x() -> str:
