@@ -6,7 +6,7 @@ import os
 from math import prod
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import (
     QDialog,
@@ -25,6 +25,7 @@ from PySide6.QtWidgets import (
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.export_choices import ExportChoices
 from qovr_app.dialogs.format_list import FormatList
+from qovr_app.dialogs.room import resize_within_screen
 from qovr_app.widgets.parts import named, words
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
@@ -124,7 +125,7 @@ class ExportDialog(QDialog):
         layout.addWidget(self._note)
         layout.addWidget(self._bar)
         layout.addWidget(without_icons(self._buttons))
-        self.resize(_WIDTH, self.sizeHint().height())
+        resize_within_screen(self, QSize(_WIDTH, self.sizeHint().height()))
 
     def _connect(self) -> None:
         self._formats.currentItemChanged.connect(self._on_format_chosen)

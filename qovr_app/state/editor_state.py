@@ -218,9 +218,11 @@ def _over_net(document: Document, of_net: Document) -> Document:
     return copy_zone(of_net, document, Zone.CONTROL_POINTS)
 
 
-def first_state(document: Document, file: DocumentFile, display: DisplaySettings) -> EditorState:
+def first_state(
+    document: Document, file: DocumentFile, display: DisplaySettings, tools: ToolSettings | None = None
+) -> EditorState:
     """Return the state with which a window begins, before its surface is configured."""
-    return EditorState(History(document), document, file, display=display)
+    return EditorState(History(document), document, file, display=display, tools=tools or ToolSettings())
 
 
 def with_message(state: EditorState, text: str, *, is_refusal: bool = False) -> EditorState:

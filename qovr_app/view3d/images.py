@@ -34,7 +34,7 @@ def view_image(view: QWidget, viewports: Sequence[Viewport], theme: Theme) -> QI
 
 def figure_panel(viewport: Viewport, picture: Picture) -> Panel:
     """Return a viewport as a part of a figure: at rest, and without what the mouse points at."""
-    at_rest = replace(picture, moving=False, hovered=None)
+    at_rest = replace(picture, moving=False, hovered=None, hand=None)
     return Panel(at_rest, viewport.logical_size, partial(_draw, viewport))
 
 

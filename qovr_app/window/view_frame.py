@@ -17,7 +17,6 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
-from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.presets import figure_cases
@@ -27,6 +26,8 @@ if TYPE_CHECKING:
     from qovr_app.view3d.view import View3D
 
 _MARK_MARGIN = 12
+_LEAST_RADIUS = 1.0
+"""Steps along the net."""
 
 
 class StaleMark(QLabel):
@@ -135,14 +136,23 @@ class ViewFrame(QWidget):
 
     def _listen(self, view: View3D) -> None:
         dispatch = self._store.dispatch
-        view.point_dragged.connect(
-            lambda i, j, point, gesture: dispatch(moved_to(self._store.state, (i, j), point, gesture))
+        view.points_dragged.connect(
+            lambda indices, moved, gesture: dispatch(
+                intents.PointsMoved(indices, tuple(map(tuple, moved.tolist())), gesture)
+            )
         )
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
-        view.point_selected.connect(lambda index: dispatch(looking_intents.Selected(index)))
+        view.points_picked.connect(lambda picked, picking: dispatch(selected_of(picked, picking)))
+        view.radius_turned.connect(self._turn_radius)
+        view.said.connect(lambda text: dispatch(looking_intents.MessageShown(text)))
         view.faulted.connect(lambda reason: dispatch(looking_intents.MessageShown(reason, is_refusal=True)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
+
+    def _turn_radius(self, notches: float) -> None:
+        """Let a soft move reach further, or less far; never less than to the next point."""
+        radius = max(_LEAST_RADIUS, self._store.state.tools.soft_radius + notches)
+        self._store.dispatch(looking_intents.ToolChosen("soft_radius", radius))
 
     def _make_herald(self) -> QWidget | None:
         """Return a widget of one pixel that needs OpenGL.
@@ -162,10 +172,9 @@ def _without_opengl(reason: str) -> str:
     return f"{reason.rstrip('.')}. The surface is drawn by the 2D painter instead; everything else works."
 
 
-def moved_to(state: EditorState, index: NetIndex, point: Array, gesture: int) -> intents.PointsMoved:
-    """Return what moves a point to a place, (3,), in the course of a gesture."""
-    moved = point - state.document_before(gesture).control_points[index]
-    return intents.PointsMoved((index,), (tuple(moved.tolist()),), gesture)
+def selected_of(picked: tuple[NetIndex, ...], picking: looking_intents.Picking) -> looking_intents.Selected:
+    """Return what selects control points, the one picked last at the end."""
+    return looking_intents.Selected(picked[-1] if picked else None, picked[:-1], picking)
 
 
 def look_at_opened(view: View3D, preset: str) -> None:
@@ -184,12 +193,14 @@ def shown_of(state: EditorState) -> Shown:
         evaluation=state.evaluation,
         document=state.shown_document,
         settings=state.display,
+        tools=state.tools,
         selected=state.selection.points,
         last_selected=state.selection.last,
         reference=reference.surface if reference else None,
         reference_name=reference.name if reference else "",
         knot=state.knot,
         comparison=_comparison_of(state),
+        opening=state.file.opening,
         dragging=state.gesture is not None,
     )
 

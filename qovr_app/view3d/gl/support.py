@@ -74,7 +74,7 @@ def gl_support() -> GlSupport:
     if not surface.isValid() or not context.makeCurrent(surface):
         return _not_usable("no context could be made current")
     if sys.platform == "linux":
-        os.environ.setdefault("PYOPENGL_PLATFORM", "egl" if _is_current_in_egl() else "glx")
+        os.environ["PYOPENGL_PLATFORM"] = "egl" if _is_current_in_egl() else "glx"
     try:
         return _described(context)
     finally:

@@ -31,7 +31,9 @@ def test_an_error_while_drawing_is_said_and_the_view_goes_on(make_editor, monkey
     with monkeypatch.context() as patch:
         patch.setattr(colouring, "field_range", fail)
         editor.window.store.dispatch(DisplayChosen("colour_by", "gaussian"))
-        spin(lambda: "error of this program" in editor.window.store.state.message.text)
+        spin(lambda: bool(silenced))
+        editor.settle()
+        assert "error of this program" in editor.window.store.state.message.text
     assert silenced
     count = len(silenced)
     editor.window.store.dispatch(DisplayChosen("colour_by", "mean"))
