@@ -32,6 +32,12 @@ class Selection:
     last: NetIndex | None = None
     points: frozenset[NetIndex] = frozenset()
 
+    @property
+    def indices(self) -> tuple[NetIndex, ...]:
+        """The points in the net's order, after the one that was picked last."""
+        first = () if self.last is None else (self.last,)
+        return (*first, *sorted(self.points - {self.last}))
+
 
 @dataclass(frozen=True, eq=False)
 class Reference:

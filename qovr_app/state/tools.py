@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from qovr_core import Document
 from qovr_core.checks import LARGEST_MAGNITUDE
 from qovr_core.geometry.knots import Direction
+from qovr_core.number_texts import natural_step
 
 _SIZES = ("snap_step", "soft_radius")
 
@@ -48,6 +50,11 @@ class ToolSettings:
         """Across what moves are mirrored."""
         chosen = {Direction.ROWS: self.symmetry_rows, Direction.COLUMNS: self.symmetry_columns}
         return tuple(direction for direction, is_on in chosen.items() if is_on)
+
+
+def nudge_step(tools: ToolSettings, document: Document) -> float:
+    """Return by how much a nudge moves: the step that drags keep to, or what means something in the net's size."""
+    return tools.snap_step if tools.snaps else natural_step(0.0, document.net_size)
 
 
 def can_be(setting: str, value: object) -> bool:

@@ -13,8 +13,7 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.state.display import Projection
 from qovr_app.state.figure_options import FigureOptions
 from qovr_app.style.theme import theme_of
-from qovr_app.view3d.figure.figure import save_figure
-from qovr_app.view3d.images import figure_panel, view_image
+from qovr_app.view3d.images import FigureWriter, figure_writer, view_image
 from qovr_app.view3d.interaction.camera_motion import CameraMotion
 from qovr_app.view3d.interaction.interactor import Interactor
 from qovr_app.view3d.interaction.pointer import Pointer
@@ -28,8 +27,9 @@ from qovr_app.view3d.scene.scenes import Scenes
 from qovr_app.view3d.scene.shown import Shown
 from qovr_app.view3d.viewport import Viewport
 from qovr_app.view3d.viewports import Viewports
-from qovr_core import FileError
+from qovr_app.work.gui_calls import here
 from qovr_core.fields import Range
+from qovr_core.files.progress import silent
 
 
 class View3D(QWidget):
@@ -129,8 +129,8 @@ class View3D(QWidget):
     def display(self, shown: Shown) -> None:
         """Show this from now on. The camera stays where it is."""
         before, self._shown = self._shown, shown
-        if before.dragging > shown.dragging and self._viewports.is_dragging:
-            self.drop_drags()
+        if not shown.dragging and before.net is not shown.net:
+            self._viewports.drop_drags()  # what is pressed there is no longer what it was
         self._scenes.update(shown)
         if before.viewports != shown.viewports:
             self._viewports.arrange(shown.viewports)
@@ -140,10 +140,6 @@ class View3D(QWidget):
             self._refinement.move()
         elif shown.differs_visibly(before):
             self._show()
-
-    def drop_drags(self) -> None:
-        """Let go of what is pressed or dragged: it is no longer there."""
-        self._viewports.drop_drags()
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
@@ -210,16 +206,18 @@ class View3D(QWidget):
         ------
         qovr_core.FileError : the suffix is another one, or the file cannot be written; nothing is left behind
         """
+        self.figure_writer()(Path(path), options or FigureOptions(), silent, here)
+
+    def figure_writer(self) -> FigureWriter:
+        """Return what writes as a figure what is seen now, from whatever thread."""
         if not self.isVisible():
             self._lay_out()
         fitting = Scenes()
         fitting.update(self._shown)
         pictures = [self.picture(k, fitting) for k in range(len(self.viewports))]
         seen = zip(self.viewports, pictures, strict=True)
-        panels = [figure_panel(viewport, picture) for viewport, picture in seen if picture is not None]
-        if not panels:
-            raise FileError(f"{path}: there is no surface to draw; configure one first")
-        save_figure(Path(path), panels, options or FigureOptions(), refit=self.camera_motion.is_fitted)
+        drawn = [(viewport, picture) for viewport, picture in seen if picture is not None]
+        return figure_writer(drawn, refit=self.camera_motion.is_fitted)
 
     # Intents
 

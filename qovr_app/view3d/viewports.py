@@ -90,11 +90,6 @@ class Viewports(QObject):
         for interactor in self._interactors:
             interactor.mouse.drop()
 
-    @property
-    def is_dragging(self) -> bool:
-        """Whether a point is being moved in one of them."""
-        return any(interactor.dragger.is_dragging for interactor in self._interactors)
-
     def show(self) -> None:
         """Bring the pictures of the moment into the viewports."""
         for k, viewport in enumerate(self.in_use):

@@ -13,7 +13,7 @@ from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
 from qovr_app.state.intents import Configured, Opened
 from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.store import Store
-from qovr_app.style.palette import theme_in_force
+from qovr_app.style.palette import set_theme, theme_in_force
 from qovr_app.widgets.plain import title_text
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
@@ -72,9 +72,9 @@ class MainWindow(QMainWindow):
         self.parts = Layout(self.store, self.worker, self)
         folder, commit = Folder(preferences), self.parts.commit_typed
         self._documents = DocumentShell(self.store, self, folder, self.worker, commit)
-        save_view = self.parts.view_frame.save_figure
+        view_writer = self.parts.view_frame.figure_writer
         exports = ExportShell(
-            self.store, self, folder, self.worker, preferences, save_view=save_view, commit_typed=commit
+            self.store, self, folder, self.worker, preferences, view_writer=view_writer, commit_typed=commit
         )
         self._offer = RecoveryOffer(self._documents, self.store, self.worker, self)
         self._outside, self._watch = OutsideOffer(self.store, self), FileWatch(self.store, self)
@@ -126,6 +126,8 @@ class MainWindow(QMainWindow):
     def _show_state(self, before: EditorState | None, after: EditorState) -> None:
         if after.differs(before, "document", "evaluation"):
             self._facts.setText(_facts_text(after))
+        if after.display.theme is not theme_in_force().name:
+            set_theme(after.display.theme)  # the palette, and so every widget, follows the state
         if before is not None and self._preferences and after.display != before.display:
             self._preferences.note_display(before.display, after.display)
         if before is not None and self._preferences and after.tools != before.tools:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,7 +18,9 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
+from qovr_app.work.gui_calls import GuiCalls
 from qovr_core.document import NetIndex
+from qovr_core.files.progress import Progress
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.presets import figure_cases
 
@@ -56,6 +59,7 @@ class ViewFrame(QWidget):
         super().__init__(parent)
         self._store = store
         self._view: View3D | None = None
+        self._gui_calls = GuiCalls(self)
         self.setAutoFillBackground(True)
         self.setBackgroundRole(QPalette.ColorRole.Base)
         self._layout = QVBoxLayout(self)
@@ -77,7 +81,6 @@ class ViewFrame(QWidget):
         if self._view is not None:
             self._view.display(shown_of(after))
             if before is not None and before.file.opening != after.file.opening:
-                self._view.drop_drags()
                 look_at_opened(self._view, after.file.preset)
 
     def look(self, request: CameraAsked) -> None:
@@ -97,9 +100,10 @@ class ViewFrame(QWidget):
         """Return what is seen, at the device's resolution."""
         return self.view.image()
 
-    def save_figure(self, path: Path, options: FigureOptions) -> None:
-        """Write what is seen; see ``View3D.save_figure``."""
-        self.view.save_figure(path, options)
+    def figure_writer(self) -> Callable[[Path, FigureOptions, Progress], None]:
+        """Return what writes as a figure what is seen now; for a job in a thread of this process."""
+        write = self.view.figure_writer()
+        return lambda path, options, progress: write(path, options, progress, self._gui_calls)
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it says nothing."""

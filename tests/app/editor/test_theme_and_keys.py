@@ -6,7 +6,7 @@ from PySide6.QtGui import QGuiApplication, QKeyEvent
 from PySide6.QtWidgets import QLabel, QTextBrowser
 
 from qovr_app.state.display import ThemeName
-from qovr_app.state.looking_intents import MessageShown
+from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.style.palette import set_theme, theme_in_force
 from qovr_app.view3d.interaction.keys import axis_of
 
@@ -51,6 +51,20 @@ def test_links_and_messages_follow_the_theme(editor, dark):
             if part.format.isAnchor():
                 assert part.format.foreground().color() == QGuiApplication.palette().link().color()
         links = links.next()
+
+
+def test_palette_and_widgets_follow_the_state_in_every_window(make_editor, dark):
+    first, second = make_editor(), make_editor()
+    first.dispatch(DisplayChosen("theme", ThemeName.DARK))
+    second.settle()
+    assert theme_in_force().name is ThemeName.DARK
+    for editor in (first, second):
+        assert editor.window.store.state.display.theme is ThemeName.DARK
+        assert editor.window.view.shown.settings.theme is ThemeName.DARK
+    dark()
+    set_theme(ThemeName.LIGHT)
+    first.settle()
+    assert first.window.store.state.display.theme is second.window.store.state.display.theme is ThemeName.LIGHT
 
 
 @pytest.mark.parametrize(
