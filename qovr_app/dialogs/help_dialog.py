@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
+from qovr_app.dialogs.room import resize_within_screen
 from qovr_app.widgets.parts import named
 
 _SIZE = QSize(720, 640)
@@ -35,7 +36,7 @@ class HelpDialog(QDialog):
         layout.setContentsMargins(0, 0, 0, _MARGIN // 2)
         layout.addWidget(text)
         layout.addWidget(without_icons(buttons))
-        self.resize(_SIZE)
+        resize_within_screen(self, _SIZE)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -57,7 +57,9 @@ class ComparisonTable(QuietTable):
             item = self.item(row, 1 + self._names.index(name))
             item.setText(text)
             value = measure.value(measures)
-            item.setData(_VALUE, value if value is not None and isfinite(value) else None)
+            has_number = value is not None and isfinite(value)
+            item.setData(_VALUE, value if has_number else None)
+            item.setToolTip(f"{value!r}\n{measure.explanation}" if has_number else measure.explanation)
             spoken = f"{measure.label}, {self._titles[name]}: {text}"
             item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
         self.refresh_colours()

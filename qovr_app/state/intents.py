@@ -15,6 +15,9 @@ from pathlib import Path
 from qovr_core import Document
 from qovr_core.document import NetIndex
 from qovr_core.edits import Place, Zone
+from qovr_core.geometry.knots import Direction
+from qovr_core.net_edits import NetEdit
+from qovr_core.symmetry import Source
 
 Stamp = tuple[int, ...]
 """When a file was last written, in nanoseconds, its size, and its number in the file system: together they tell whether
@@ -89,6 +92,36 @@ class PointsMoved(Intent):
     indices: tuple[NetIndex, ...]
     displacements: tuple[tuple[float, float, float], ...]
     gesture: int = 0
+
+
+@dataclass(frozen=True)
+class PointsNudged(Intent):
+    """Control points are moved by one step each.
+
+    Parameters
+    ----------
+    at : seconds of a clock that runs evenly; what follows within a second is the same undo step
+    """
+
+    indices: tuple[NetIndex, ...]
+    displacement: tuple[float, float, float]
+    at: float
+
+
+@dataclass(frozen=True)
+class PointsEdited(Intent):
+    """An edit brings control points to other places; ``indices`` begin with the one that was picked last."""
+
+    edit: NetEdit
+    indices: tuple[NetIndex, ...]
+
+
+@dataclass(frozen=True)
+class MadeSymmetric(Intent):
+    """Net and knots become their own mirror image, across rows or columns."""
+
+    across: Direction
+    source: Source
 
 
 @dataclass(frozen=True)

@@ -60,11 +60,11 @@ class DrawingAsked(Request):
     Parameters
     ----------
     name : what is added to the document's name for that of the file
-    write : writes the drawing to a path, with the options of a figure
+    write : writes the drawing to a path, with the options of a figure, as a job
     """
 
     name: str
-    write: Callable[[Path, Any], None]
+    write: Callable[[Path, Any, Any], None]
 
 
 @dataclass(frozen=True)
@@ -113,6 +113,11 @@ class CameraAsked(Request):
 @dataclass(frozen=True)
 class RangeAsked(Request):
     """Ask for the ends of a fixed range of colours."""
+
+
+@dataclass(frozen=True)
+class TransformAsked(Request):
+    """Ask by how much the selected points are moved, scaled and rotated."""
 
 
 @dataclass(frozen=True)

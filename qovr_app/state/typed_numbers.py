@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 
+from qovr_app.state.calculation import worked_out
 from qovr_core import DocumentError
 from qovr_core.checks import described
 from qovr_core.number_texts import MINUS, MORE_DIGITS
@@ -34,14 +35,17 @@ def typed_number(text: str) -> float | str | None:
     return float(text.replace(",", "."))
 
 
-def typed_value(text: str, name: str, check: Callable[[object, str], float]) -> float:
+def typed_value(text: str, name: str, check: Callable[[object, str], float], present: float | None = None) -> float:
     """Return the number that a text says, as a check of ``name`` agrees to.
+
+    Where there is a ``present`` number, a text may also be a calculation, which may go on from it.
 
     Raises
     ------
     QovrError : it says none, or not one that may be; a group separator, or a digit of another script, is called that
     """
-    value = typed_number(text)
+    calculated = worked_out(trimmed(text).translate(_MINUSES), present) if present is not None else None
+    value = typed_number(text) if calculated is None else calculated
     if isinstance(value, str) and (expected := _what_is_wrong(trimmed(text))):
         raise DocumentError(name, described(value), expected)
     return check(value, name)

@@ -99,7 +99,7 @@ class NumberField(NumberCell):
         if not self.has_own_text:
             return self._value
         try:
-            return typed_value(self.text(), self._name, self._check)
+            return typed_value(self.text(), self._name, self._check, self._value)
         except QovrError as error:
             self._error = str(error)
             self._refresh()

@@ -12,7 +12,7 @@ from qovr_app.style.palette import see_through
 from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.arrays import Array
-from qovr_core.number_texts import number_text
+from qovr_core.number_texts import fitted_text, number_text
 
 _MOST_DIGITS = 6
 _FEWEST_DIGITS = 3
@@ -41,6 +41,7 @@ class _FittingDelegate(QStyledItemDelegate):
             option.text = f"{value:.{digits}g}"
             if option.fontMetrics.horizontalAdvance(option.text) <= room:
                 return
+        option.text = fitted_text(value, lambda text: option.fontMetrics.horizontalAdvance(text) <= room)
 
 
 class NumberTable(QuietTable):

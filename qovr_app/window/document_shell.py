@@ -28,6 +28,7 @@ from qovr_app.window.sources import (
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
 from qovr_core.files import source_suffixes
+from qovr_core.files.sources import local_path
 
 
 class DocumentShell:
@@ -75,7 +76,7 @@ class DocumentShell:
         if opened is None:
             return
         if not opened.preset:
-            self._folder.note_document(Path(request.source))
+            self._folder.note_document(Path(local_path(request.source)))
         self._take(opened)
 
     def _read(self, source: str) -> Opened | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,8 +18,9 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
-from qovr_core.arrays import Array
+from qovr_app.work.gui_calls import GuiCalls
 from qovr_core.document import NetIndex
+from qovr_core.files.progress import Progress
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.presets import figure_cases
 
@@ -27,6 +29,8 @@ if TYPE_CHECKING:
     from qovr_app.view3d.view import View3D
 
 _MARK_MARGIN = 12
+_LEAST_RADIUS = 1.0
+"""Steps along the net."""
 
 
 class StaleMark(QLabel):
@@ -55,6 +59,7 @@ class ViewFrame(QWidget):
         super().__init__(parent)
         self._store = store
         self._view: View3D | None = None
+        self._gui_calls = GuiCalls(self)
         self.setAutoFillBackground(True)
         self.setBackgroundRole(QPalette.ColorRole.Base)
         self._layout = QVBoxLayout(self)
@@ -76,7 +81,6 @@ class ViewFrame(QWidget):
         if self._view is not None:
             self._view.display(shown_of(after))
             if before is not None and before.file.opening != after.file.opening:
-                self._view.drop_drags()
                 look_at_opened(self._view, after.file.preset)
 
     def look(self, request: CameraAsked) -> None:
@@ -86,9 +90,10 @@ class ViewFrame(QWidget):
         else:
             self.view.fit()
 
-    def save_figure(self, path: Path, options: FigureOptions) -> None:
-        """Write what is seen; see ``View3D.save_figure``."""
-        self.view.save_figure(path, options)
+    def figure_writer(self) -> Callable[[Path, FigureOptions, Progress], None]:
+        """Return what writes as a figure what is seen now; for a job in a thread of this process."""
+        write = self.view.figure_writer()
+        return lambda path, options, progress: write(path, options, progress, self._gui_calls)
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it says nothing."""
@@ -125,13 +130,22 @@ class ViewFrame(QWidget):
 
     def _listen(self, view: View3D) -> None:
         dispatch = self._store.dispatch
-        view.point_dragged.connect(
-            lambda i, j, point, gesture: dispatch(moved_to(self._store.state, (i, j), point, gesture))
+        view.points_dragged.connect(
+            lambda indices, moved, gesture: dispatch(
+                intents.PointsMoved(indices, tuple(map(tuple, moved.tolist())), gesture)
+            )
         )
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
-        view.point_selected.connect(lambda index: dispatch(looking_intents.Selected(index)))
+        view.points_picked.connect(lambda picked, picking: dispatch(selected_of(picked, picking)))
+        view.radius_turned.connect(self._turn_radius)
+        view.said.connect(lambda text: dispatch(looking_intents.MessageShown(text)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
+
+    def _turn_radius(self, notches: float) -> None:
+        """Let a soft move reach further, or less far; never less than to the next point."""
+        radius = max(_LEAST_RADIUS, self._store.state.tools.soft_radius + notches)
+        self._store.dispatch(looking_intents.ToolChosen("soft_radius", radius))
 
     def _make_herald(self) -> QWidget | None:
         """Return a widget of one pixel that needs OpenGL.
@@ -151,10 +165,9 @@ def _without_opengl(reason: str) -> str:
     return f"{reason.rstrip('.')}. The surface is drawn by the 2D painter instead; everything else works."
 
 
-def moved_to(state: EditorState, index: NetIndex, point: Array, gesture: int) -> intents.PointsMoved:
-    """Return what moves a point to a place, (3,), in the course of a gesture."""
-    moved = point - state.document_before(gesture).control_points[index]
-    return intents.PointsMoved((index,), (tuple(moved.tolist()),), gesture)
+def selected_of(picked: tuple[NetIndex, ...], picking: looking_intents.Picking) -> looking_intents.Selected:
+    """Return what selects control points, the one picked last at the end."""
+    return looking_intents.Selected(picked[-1] if picked else None, picked[:-1], picking)
 
 
 def look_at_opened(view: View3D, preset: str) -> None:
@@ -173,12 +186,14 @@ def shown_of(state: EditorState) -> Shown:
         evaluation=state.evaluation,
         document=state.shown_document,
         settings=state.display,
+        tools=state.tools,
         selected=state.selection.points,
         last_selected=state.selection.last,
         reference=reference.surface if reference else None,
         reference_name=reference.name if reference else "",
         knot=state.knot,
         comparison=_comparison_of(state),
+        opening=state.file.opening,
         dragging=state.gesture is not None,
     )
 

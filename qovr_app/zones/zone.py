@@ -30,6 +30,7 @@ class FieldZone(QFrame):
         self.setObjectName(f"zone.{zone}")
         self.setAccessibleName(ZONE_TITLES[zone])
         self.fields: dict[Place, NumberField] = {}
+        self._has_reported = False  # then a field shows what it has asked for, which may be undone in the same turn
         self._title = QLabel(title_html(ZONE_TITLES[zone], aside), self)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(*MARGINS)
@@ -40,7 +41,8 @@ class FieldZone(QFrame):
         """Show the draft of a state, and mark what differs from the document."""
         if before is not None:
             self._drop_texts(before, after)
-        if after.differs(before, "document", "draft"):
+        if after.differs(before, "document", "draft") or self._has_reported:
+            self._has_reported = False
             for place, field in self.fields.items():
                 value = value_at(after.draft, place)
                 field.show_value(value, is_unset=value != value_at(after.document, place))
@@ -130,6 +132,7 @@ class FieldZone(QFrame):
         return field
 
     def _on_value_edited(self, place: Place, value: float, gesture: int) -> None:
+        self._has_reported = True
         error = self._store.dispatch(ValuesEdited({place: value}, gesture))
         if error is not None:
             self.fields[place].refuse(value_at(self._store.state.draft, place), str(error))

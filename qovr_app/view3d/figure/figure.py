@@ -88,10 +88,12 @@ def _draw_page(painter: QPainter, page: _Page, *, transparent: bool) -> None:
     for k, panel in enumerate(page.panels):
         width, height = panel.size
         painter.save()
-        painter.translate(k * width, 0)
-        painter.setClipRect(QRectF(0, 0, width, height))
-        panel.draw(painter, panel, page.scale, transparent)
-        painter.restore()
+        try:
+            painter.translate(k * width, 0)
+            painter.setClipRect(QRectF(0, 0, width, height))
+            panel.draw(painter, panel, page.scale, transparent)
+        finally:
+            painter.restore()  # also when it is cancelled
 
 
 def _png(page: _Page, options: FigureOptions) -> QByteArray:

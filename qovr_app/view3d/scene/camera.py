@@ -137,10 +137,19 @@ class Camera:
         """Return the unit lengths that one logical pixel covers at the centre's depth."""
         return self.span / min(size)
 
-    def orbited(self, azimuth: float, elevation: float) -> Camera:
-        """Return the camera turned by degrees; it stops at the poles, so that up stays up."""
+    def orbited(self, azimuth: float, elevation: float, about: Array | None = None) -> Camera:
+        """Return the camera turned by degrees; it stops at the poles, so that up stays up.
+
+        Parameters
+        ----------
+        about : the point (3,) of the unit space that stays where it is seen; None for the centre
+        """
         tilted = min(90.0, max(-90.0, self.elevation + elevation))
-        return replace(self, azimuth=(self.azimuth + azimuth + 180) % 360 - 180, elevation=tilted)
+        turned = replace(self, azimuth=(self.azimuth + azimuth + 180) % 360 - 180, elevation=tilted)
+        if about is None:
+            return turned
+        seen = self.axes @ (about - np.array(self.centre))
+        return replace(turned, centre=tuple((about - turned.axes.T @ seen).tolist()))
 
     def panned(self, dx: float, dy: float, size: Size) -> Camera:
         """Return the camera moved so that what it shows moves by logical pixels."""

@@ -127,22 +127,29 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, mo
 
     alike = [scene, *(peer for peer in scene.peers if not _missing(peer, field))]
     seen = np.stack([each.values(field, counts, moving=moving) for each in alike])
-    limits, beyond = _limits(scene, settings, field, seen)
+    limits, beyond = _limits(scene, settings, field, seen, moving)
     table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
     return Colouring(table, title, limits, beyond, _remark(scene, field, limits), values)
 
 
-def _limits(scene: Scene, settings: DisplaySettings, field: Field, values: Array) -> tuple[Range, tuple[bool, bool]]:
+def _limits(
+    scene: Scene, settings: DisplaySettings, field: Field, values: Array, moving: bool
+) -> tuple[Range, tuple[bool, bool]]:
     """Return the limits, and whether values lie below or above them."""
     rounding = scene.evaluation.layer_rounding(scene.layer)
     least, every = field_rounding(field, scene.surface_box.T, rounding), values
     if field.axis is not None:  # coordinates are those of the document's samples, like the boxes that are printed
         every = np.array([each.surface_box[field.axis] for each in (scene, *scene.peers)])
-    low, high = field_range(field, every, robust=False, least=least)
-    if settings.colour_range is ColourRange.AUTO or np.isnan(low):
-        return (low, high), (False, False)
-    robust = settings.colour_range is ColourRange.ROBUST
-    limits = field_range(field, values, robust=True, least=least) if robust else settings.fixed_range
+    if not np.isfinite(values).any():
+        return field_range(field, every, robust=False, least=least), (False, False)
+    limits = settings.fixed_range
+    if settings.colour_range is not ColourRange.FIXED:
+        robust = settings.colour_range is ColourRange.ROBUST
+        own = field_range(field, values if robust else every, robust=robust, least=least)
+        key = (scene.layer, scene.is_comparison, field.name, settings.colour_range, settings.style)
+        limits = scene.held.range_of(key, own, scene.evaluation, moving=moving)
+        if limits == own and not robust:
+            return limits, (False, False)
     finite = values[np.isfinite(values)]
     return limits, (bool(finite.min() < limits[0] - least), bool(finite.max() > limits[1] + least))
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from qovr_app.state.display import Scaling
 from qovr_app.view3d.scene.frame import FARTHEST, Frame, frame_around
+from qovr_app.view3d.scene.held_ranges import HeldRanges
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
@@ -56,6 +57,7 @@ class Scene:
     is_comparison : whether the surface is not the document's, but one of the same control net that is compared with it
     lines_name, lines : another surface over this one, by its lines (k, n, 3) of the unit space; k is 0 without one
     peers : scenes beside this one in which a colour means the same
+    held : the ranges of the colours that edits do not change
     """
 
     layer: Layer
@@ -71,6 +73,7 @@ class Scene:
     is_comparison: bool = False
     lines_name: str = ""
     lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
+    held: HeldRanges = field(default_factory=HeldRanges)
     peers: list[Scene] = field(default_factory=list, init=False, repr=False)
     cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 

@@ -30,7 +30,7 @@ def file_commands() -> tuple[Command, ...]:
         Command("save_as", "Save &As…", asking(requests.SaveAsked(elsewhere=True)), menu, _Key.SaveAs),
         Command(
             "reload",
-            "&Reload",
+            "Re&vert",
             asking(requests.ReloadAsked()),
             menu,
             tip="Read the document's file again; Undo brings back what stands here now",

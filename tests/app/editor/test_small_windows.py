@@ -1,7 +1,8 @@
 """1366 x 768 at 125 % and 150 %, and text half as large again: every control can be reached."""
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
     QAbstractSlider,
@@ -12,6 +13,7 @@ from PySide6.QtWidgets import (
     QScrollBar,
 )
 
+from qovr_core.presets import preset
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 
 CONTROLS = (QLineEdit, QComboBox, QAbstractButton, QAbstractSlider)
@@ -43,6 +45,20 @@ def test_every_control_of_the_zones_can_be_scrolled_to(make_editor, scaled_text,
         seen = control.visibleRegion().boundingRect()
         assert seen == control.rect(), control.objectName()
         assert control.width() >= control.minimumSizeHint().width() or isinstance(control, QAbstractSlider)
+
+
+def test_a_wheel_over_what_has_not_the_keyboard_scrolls_the_zones(make_editor):
+    editor = make_editor("paper:fig5", (911, 512))
+    bar = editor.find("zones", QScrollArea).verticalScrollBar()
+    for name in ("row_knots.C_2.s", "row_knots.slider", "column_knots.K_2.v"):
+        bar.setValue(0)
+        widget = editor.find(name)
+        widget.clearFocus()
+        at = widget.mapTo(editor.window, widget.rect().center())
+        QTest.wheelEvent(editor.window.windowHandle(), QPointF(at), QPoint(0, -120))
+        editor.settle()
+        assert bar.value() > 0, name
+    assert editor.document == preset("fig5").document
 
 
 def test_the_keyboard_brings_a_zone_into_sight_and_a_wide_window_its_columns_back(make_editor):

@@ -16,7 +16,9 @@ from qovr_app.state.next_state import next_state
 from qovr_app.state.tools import Way
 from qovr_core import DocumentError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone
+from qovr_core.net_edits import About, Align, Flatten, Plane, Smooth, Transform
 from qovr_core.presets import preset
+from qovr_core.symmetry import Source
 
 PLACES = st.one_of(
     st.builds(KnotPlace, st.sampled_from(Direction), st.integers(0, 4), st.sampled_from("rsut")),
@@ -24,6 +26,7 @@ PLACES = st.one_of(
 )
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
 VALUES = st.dictionaries(PLACES, NUMBERS, max_size=4)
+TRIPLES = st.tuples(NUMBERS, NUMBERS, NUMBERS)
 GESTURES = st.integers(0, 9)
 INDICES = st.tuples(st.integers(0, 4), st.integers(0, 4))
 EXAMPLES = {
@@ -35,9 +38,21 @@ EXAMPLES = {
     intents.PointsMoved: st.builds(
         intents.PointsMoved,
         st.lists(INDICES).map(tuple),
-        st.lists(st.tuples(NUMBERS, NUMBERS, NUMBERS)).map(tuple),
+        st.lists(TRIPLES).map(tuple),
         GESTURES,
     ),
+    intents.PointsNudged: st.builds(intents.PointsNudged, st.lists(INDICES).map(tuple), TRIPLES, NUMBERS),
+    intents.PointsEdited: st.builds(
+        intents.PointsEdited,
+        st.one_of(
+            st.builds(Transform, TRIPLES, TRIPLES, st.integers(0, 2), NUMBERS, st.sampled_from(About)),
+            st.builds(Flatten, st.sampled_from(Plane)),
+            st.builds(Align, st.integers(0, 2)),
+            st.just(Smooth()),
+        ),
+        st.lists(INDICES).map(tuple),
+    ),
+    intents.MadeSymmetric: st.builds(intents.MadeSymmetric, st.sampled_from(Direction), st.sampled_from(Source)),
     looking_intents.Selected: st.builds(
         looking_intents.Selected,
         st.none() | INDICES,

@@ -8,32 +8,16 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtWidgets import QMainWindow
 
 from qovr_app.state.display import DisplaySettings, LayerChoice, Projection, Scaling
 from qovr_app.view3d.interaction import camera_motion
-from qovr_core.edits import set_point, set_samples
+from qovr_core import Formulation
+from qovr_core.edits import set_formulation, set_point, set_samples
 from qovr_core.presets import preset
-from support.view import change, select
-
-
-def wheel(viewport, at, notches):
-    position = QPointF(*at)
-    none = Qt.KeyboardModifier.NoModifier
-    event = QWheelEvent(
-        position,
-        viewport.mapToGlobal(position),
-        QPoint(),
-        QPoint(0, 120 * notches),
-        Qt.MouseButton.NoButton,
-        none,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(viewport, event)
+from support.view import change, choose, select, wheel
 
 
 def test_the_camera_stays_when_the_document_changes(make_view, document):
@@ -70,9 +54,9 @@ def test_mouse_drags_orbit_and_pan(make_view, document):
     turned = view.camera
     assert turned.azimuth < before.azimuth
     assert turned.elevation > before.elevation
-    QTest.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(5, 5))
+    QTest.mousePress(viewport, Qt.MouseButton.RightButton, pos=QPoint(5, 5))
     QTest.mouseMove(viewport, QPoint(25, 5))
-    QTest.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(25, 5))
+    QTest.mouseRelease(viewport, Qt.MouseButton.RightButton, pos=QPoint(25, 5))
     assert view.camera.centre != turned.centre
     assert view.camera.azimuth == turned.azimuth
 
@@ -80,7 +64,7 @@ def test_mouse_drags_orbit_and_pan(make_view, document):
 def test_keys_turn_and_zoom(make_view, document):
     view = make_view(document).view
     viewport, before = view.viewports[0], view.camera
-    QTest.keyClick(viewport, Qt.Key.Key_Left)
+    QTest.keyClick(viewport, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
     assert view.camera.azimuth == pytest.approx(before.azimuth - 5)
     QTest.keyClick(viewport, Qt.Key.Key_Plus)
     assert view.camera.span < before.span
@@ -116,8 +100,8 @@ def test_settings_change_projection_and_scaling(make_view, document):
     assert np.ptp(view.picture().scene.frame.scale) == 0
 
 
-def test_limits_wait_while_a_point_is_dragged(make_view, document, expected_pixel):
-    owner = make_view(document, layer=LayerChoice.RAW)
+def test_limits_follow_by_choice_but_wait_while_a_point_is_dragged(make_view, document, expected_pixel):
+    owner = make_view(document, layer=LayerChoice.RAW, always_fits=True)
     viewport = owner.view.viewports[0]
     at = QPoint(*(round(value) for value in expected_pixel(owner.view, document.control_points[0, 4])))
     limits = owner.view.picture().scene.frame.limits
@@ -127,6 +111,20 @@ def test_limits_wait_while_a_point_is_dragged(make_view, document, expected_pixe
     np.testing.assert_array_equal(owner.view.picture().scene.frame.limits, limits)
     QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=at + QPoint(0, -150))
     assert (owner.view.picture().scene.frame.limits != limits).any()
+
+
+@pytest.mark.parametrize("change_of", ["formulation", "opening", "layer"])
+def test_limits_are_taken_anew_for_something_else(make_view, document, change_of):
+    owner = make_view(document, layer=LayerChoice.RAW)
+    owner.show(set_point(document, 2, 2, (2.0, 2.0, 7.0)))
+    assert owner.view.picture().leaves_frame
+    if change_of == "formulation":
+        owner.show(set_formulation(owner.document, Formulation.DOUBLE_SUM))
+    elif change_of == "opening":
+        change(owner.view, opening=1)
+    else:
+        choose(owner.view, layer=LayerChoice.TRANSFORMED)
+    assert not owner.view.picture().leaves_frame
 
 
 def test_the_grid_is_coarse_in_motion_and_fine_at_rest(make_view, document, spin):
