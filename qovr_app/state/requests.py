@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,11 @@ class ReloadAsked(Request):
 
 
 @dataclass(frozen=True)
+class SaveCopyAsked(Request):
+    """Save to another file that is asked for, and stay with the document's own."""
+
+
+@dataclass(frozen=True)
 class ExportAsked(Request):
     """Ask for a format and a file, and write the configured surface."""
 
@@ -73,6 +79,11 @@ class CloseAsked(Request):
 
 
 @dataclass(frozen=True)
+class QuitAsked(Request):
+    """Close every window."""
+
+
+@dataclass(frozen=True)
 class RecoveryAnswered(Request):
     """Go on with what an earlier run left unsaved, or delete it."""
 
@@ -93,7 +104,9 @@ class CopyAsked(Request):
 
 @dataclass(frozen=True)
 class PasteAsked(Request):
-    """Paste the clipboard's block into the zone that has the keyboard."""
+    """Paste the clipboard's block into the zone that has the keyboard, or over the selected points."""
+
+    over_points: bool = False
 
 
 @dataclass(frozen=True)
@@ -108,6 +121,21 @@ class CameraAsked(Request):
     """Look from a named direction; empty fits the surface from where the camera is."""
 
     name: str
+
+
+class CameraStep(StrEnum):
+    """Where the camera can be sent that no direction names."""
+
+    BACK = "back"
+    FORWARD = "forward"
+    SELECTION = "selection"
+
+
+@dataclass(frozen=True)
+class CameraMoved(Request):
+    """Look from where one looked before, or after that again, or at the selected points from near."""
+
+    step: CameraStep
 
 
 @dataclass(frozen=True)
@@ -130,3 +158,18 @@ class FocusAsked(Request):
 @dataclass(frozen=True)
 class HelpAsked(Request):
     """Show the help beside the work."""
+
+
+@dataclass(frozen=True)
+class PaletteAsked(Request):
+    """Show all commands, to be found by a few letters."""
+
+
+@dataclass(frozen=True)
+class KeysAsked(Request):
+    """Show which command has which key."""
+
+
+@dataclass(frozen=True)
+class AboutAsked(Request):
+    """Show the versions of the program and of what it is built on."""
