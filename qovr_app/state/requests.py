@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
@@ -120,6 +121,26 @@ class CameraAsked(Request):
     """Look from a named direction; empty fits the surface from where the camera is."""
 
     name: str
+
+
+class CameraStep(StrEnum):
+    """Where the camera can be sent that no direction names."""
+
+    BACK = "back"
+    FORWARD = "forward"
+    SELECTION = "selection"
+
+
+@dataclass(frozen=True)
+class CameraMoved(Request):
+    """Look from where one looked before, or after that again, or at the selected points from near."""
+
+    step: CameraStep
+
+
+@dataclass(frozen=True)
+class ViewRestartAsked(Request):
+    """Begin again with the drawing of the view."""
 
 
 @dataclass(frozen=True)

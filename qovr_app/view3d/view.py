@@ -6,7 +6,8 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from PySide6.QtCore import QPoint, QSize, Signal
+import numpy as np
+from PySide6.QtCore import QPoint, QPointF, QSize, Signal
 from PySide6.QtGui import QImage, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -19,7 +20,7 @@ from qovr_app.view3d.interaction.interactor import Interactor
 from qovr_app.view3d.interaction.pointer import Pointer
 from qovr_app.view3d.interaction.refinement import Refinement
 from qovr_app.view3d.painter.readout import readout_text
-from qovr_app.view3d.scene.camera import Camera, fitted, named_view
+from qovr_app.view3d.scene.camera import Camera, fitted, looking_at, named_view
 from qovr_app.view3d.scene.frame import HALF_EXTENTS
 from qovr_app.view3d.scene.picture import Picture, margins
 from qovr_app.view3d.scene.probing import reading_at
@@ -36,6 +37,7 @@ class View3D(QWidget):
     """A surface with its control net, seen through one camera in one viewport or several.
 
     It holds what belongs to it alone: the camera, and where the mouse is. All else it is given by ``display``.
+    ``restart`` begins again with the drawing, and with OpenGL if it can be used by now.
 
     Signals
     -------
@@ -43,10 +45,11 @@ class View3D(QWidget):
     points_dragged : the points (i, j), how far each is from where it was when the drag began, (k, 3) float64 in the
         document's units, and the drag's gesture number
     point_opened : the control point (i, j) whose fields are wanted
-    menu_asked : the place of this widget where a menu is wanted
+    menu_asked : a MenuWish, and the place of the screen
     radius_turned : by how many notches the wheel went while points were dragged softly
     said : a sentence for the user
     drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
+    faulted : why the picture could not be drawn: an error of the program; the next picture is tried again
     fell_back : once, why OpenGL is not used
     frame_painted : a frame has reached the window
     """
@@ -54,11 +57,12 @@ class View3D(QWidget):
     points_picked = Signal(object, object)
     points_dragged = Signal(object, object, int)
     point_opened = Signal(object)
-    menu_asked = Signal(QPoint)
+    menu_asked = Signal(object, QPoint)
     radius_turned = Signal(float)
     said = Signal(str)
     drag_finished = Signal(int)
     drag_cancelled = Signal(int)
+    faulted = Signal(str)
     fell_back = Signal(str)
     frame_painted = Signal()
 
@@ -74,8 +78,10 @@ class View3D(QWidget):
         self._viewports = Viewports(self, self.picture)
         self._viewports.interactor_made.connect(self._listen)
         self._viewports.painted.connect(self.frame_painted)
+        self._viewports.faulted.connect(self.faulted)
         self._viewports.fell_back.connect(self.fell_back)
         self._viewports.arrange(self._shown.viewports)
+        self.restart = self._viewports.restart
 
     def minimumSizeHint(self) -> QSize:
         return QSize(320, 240)
@@ -154,7 +160,7 @@ class View3D(QWidget):
     # The camera
 
     def set_camera(self, name: str, *, animated: bool = True) -> None:
-        """Look from a named direction, ``paper``, ``top``, ``front`` or ``right``, at the whole surface.
+        """Look from a direction of ``qovr_core.cameras.NAMED_VIEWS`` at the whole surface.
 
         Raises
         ------
@@ -162,11 +168,16 @@ class View3D(QWidget):
         """
         self.camera_motion.lead(named_view(name, self.camera), animated=animated and self.isVisible())
 
-    def fit(self, *, animated: bool = True) -> None:
-        """Show the whole surface, in limits of its own, from where the camera looks now."""
+    def fit(self, *, selection: bool = False, animated: bool = True) -> None:
+        """Show the whole surface, in limits of its own, or the selected points from near, in the camera's direction."""
+        picture, is_animated = self.picture(), animated and self.isVisible()
+        if selection and picture is not None and picture.selected:
+            i, j = np.array(sorted(picture.selected)).T
+            self.camera_motion.lead_to(looking_at(self.camera, picture.scene.points[i, j]), animated=is_animated)
+            return
         self._scenes.take_limits()
         self._refinement.move()
-        self.camera_motion.lead(self.camera, animated=animated and self.isVisible())
+        self.camera_motion.lead(self.camera, animated=is_animated)
 
     def _fitted(self, camera: Camera) -> Camera:
         scene, size = self._scenes.scene(0), self.viewports[0].logical_size
@@ -225,7 +236,10 @@ class View3D(QWidget):
         interactor.radius_turned.connect(self.radius_turned)
         interactor.mouse.picked.connect(self.points_picked)
         interactor.mouse.opened.connect(self.point_opened)
-        interactor.mouse.menu_asked.connect(self.menu_asked)
+        widget = interactor.widget
+        interactor.mouse.menu_asked.connect(
+            lambda wish: self.menu_asked.emit(wish, widget.mapToGlobal(QPointF(*wish.at)).toPoint())
+        )
         interactor.dragger.dragged.connect(self.points_dragged)
         interactor.dragger.finished.connect(self.drag_finished)
         interactor.dragger.cancelled.connect(self.drag_cancelled)

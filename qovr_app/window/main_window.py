@@ -18,6 +18,7 @@ from qovr_app.widgets.plain import title_text
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
+from qovr_app.window.context_menus import show_context_menu
 from qovr_app.window.document_shell import DocumentShell
 from qovr_app.window.drops import dropped_sources, open_each, take
 from qovr_app.window.export_shell import ExportShell
@@ -92,6 +93,10 @@ class MainWindow(QMainWindow):
         self._actions = Actions(command_table(), self.store, self)
         self._facts = QLabel(self)
         self._facts.setObjectName("surface.facts")
+        self._actions.give_single_keys(self.parts.view_frame)
+        self.parts.view_frame.menu_asked.connect(
+            lambda wish, at: show_context_menu(wish, at, self._actions, self.store.dispatch, self)
+        )
         self._message = MessageLine(self.store.dispatch, self)
         self._notices.noticed.connect(lambda text: self.store.dispatch(MessageShown(text)))
         self._assemble(folder)

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtCore import QPoint, Qt, QTimer, Signal
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.requests import CameraAsked
+from qovr_app.state.requests import CameraAsked, CameraStep, FocusAsked, ViewRestartAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
@@ -20,6 +20,7 @@ from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
 from qovr_app.work.gui_calls import GuiCalls
 from qovr_core.document import NetIndex
+from qovr_core.edits import CoordinatePlace, Zone
 from qovr_core.files.progress import Progress
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.presets import figure_cases
@@ -53,7 +54,12 @@ class StaleMark(QLabel):
 
 
 class ViewFrame(QWidget):
-    """An empty frame that becomes the view after it has been painted once; a view that comes late is right at once."""
+    """An empty frame that becomes the view after it has been painted once; a view that comes late is right at once.
+
+    ``menu_asked`` tells a MenuWish and the place of the screen where the menu is wanted.
+    """
+
+    menu_asked = Signal(object, QPoint)
 
     def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -89,6 +95,23 @@ class ViewFrame(QWidget):
             self.view.set_camera(request.name)
         else:
             self.view.fit()
+
+    def move_camera(self, step: CameraStep) -> None:
+        """Look from where one looked before or after, or at the selected points from near."""
+        if step is CameraStep.SELECTION:
+            self.view.fit(selection=True)
+        else:
+            self.view.camera_motion.recall(forward=step is CameraStep.FORWARD)
+
+    def restart(self, _request: ViewRestartAsked) -> None:
+        """Begin again with the drawing, and with OpenGL if it can be used by now."""
+        self.view.restart()
+        if self.view.uses_opengl:
+            self._store.dispatch(looking_intents.MessageShown("The view has begun again, with OpenGL"))
+
+    def image(self) -> QImage:
+        """Return what is seen, at the device's resolution."""
+        return self.view.image()
 
     def figure_writer(self) -> Callable[[Path, FigureOptions, Progress], None]:
         """Return what writes as a figure what is seen now; for a job in a thread of this process."""
@@ -139,8 +162,18 @@ class ViewFrame(QWidget):
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
         view.points_picked.connect(lambda picked, picking: dispatch(selected_of(picked, picking)))
         view.radius_turned.connect(self._turn_radius)
+        view.point_opened.connect(self._open_fields)
+        view.menu_asked.connect(self.menu_asked)
         view.said.connect(lambda text: dispatch(looking_intents.MessageShown(text)))
+        view.faulted.connect(lambda reason: dispatch(looking_intents.MessageShown(reason, is_refusal=True)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
+
+    def _open_fields(self, index: NetIndex) -> None:
+        """Bring the keyboard to the height of a control point."""
+        self._store.dispatch(looking_intents.ZonesShown(are_shown=True))
+        self._store.dispatch(looking_intents.FieldFocused(CoordinatePlace(*index, axis=2)))
+        self._store.flush()
+        self._store.dispatch(FocusAsked(Zone.CONTROL_POINTS))
 
     def _turn_radius(self, notches: float) -> None:
         """Let a soft move reach further, or less far; never less than to the next point."""

@@ -60,17 +60,17 @@ class Interactor(QObject):
 
     def __init__(self, viewport: Watched, picture: Callable[[], Picture | None]) -> None:
         super().__init__(viewport.widget)
-        self._viewport, self._widget, self._picture = viewport, viewport.widget, picture
-        self.dragger = PointDragger(self._widget)
+        self._viewport, self.widget, self._picture = viewport, viewport.widget, picture
+        self.dragger = PointDragger(self.widget)
         self.mouse = Mouse(self.dragger)
         self._freedom: Freedom | None = None
         self._letter_is_down = False
         self.mouse.camera_requested.connect(self.camera_requested)
         for part in (self.mouse, self.dragger):
             part.changed.connect(self.changed)
-        self._widget.setMouseTracking(True)
-        self._widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._widget.installEventFilter(self)
+        self.widget.setMouseTracking(True)
+        self.widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.widget.installEventFilter(self)
 
     @property
     def hand(self) -> Hand:
@@ -109,7 +109,7 @@ class Interactor(QObject):
     def _on_mouse(self, event: QMouseEvent, picture: Picture) -> bool:
         size = self._viewport.logical_size
         if event.type() == QEvent.Type.MouseButtonPress:
-            self._widget.setFocus(Qt.FocusReason.MouseFocusReason)
+            self.widget.setFocus(Qt.FocusReason.MouseFocusReason)
             self.mouse.press(event, picture, size)
         elif event.type() == QEvent.Type.MouseButtonDblClick:
             self.mouse.double_click(event, picture, size)
@@ -138,7 +138,7 @@ class Interactor(QObject):
         freedom = None if picture is None else gizmo_under(picture, size, at.x(), at.y())
         points = points_under(picture, size, at.x(), at.y()) if picture is not None and freedom is None else []
         is_free = freedom is None and not points
-        self._widget.setCursor(Qt.CursorShape.ArrowCursor if is_free else Qt.CursorShape.PointingHandCursor)
+        self.widget.setCursor(Qt.CursorShape.ArrowCursor if is_free else Qt.CursorShape.PointingHandCursor)
         if freedom != self._freedom:
             self._freedom = freedom
             self.changed.emit()

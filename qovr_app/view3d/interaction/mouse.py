@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from enum import StrEnum
-
-from PySide6.QtCore import QObject, QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
 from qovr_app.state.looking_intents import Picking
 from qovr_app.state.tools import Way
 from qovr_app.view3d.interaction.camera_input import moved_by_mouse, pivot_under
 from qovr_app.view3d.interaction.dragging import DRAG_START, HeldPoints, PointDragger
-from qovr_app.view3d.interaction.mouse_schemes import Motion, motion_of
-from qovr_app.view3d.interaction.picking import gizmo_under, net_line_under, points_under, points_within
+from qovr_app.view3d.interaction.mouse_schemes import motion_of
+from qovr_app.view3d.interaction.picking import gizmo_under, menu_wish, net_line_under, points_under, points_within
+from qovr_app.view3d.interaction.press import Doing, Press
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.grip import ALONG_NORMAL, IN_VIEW, Freedom, along
-from qovr_app.view3d.scene.hand import Band
+from qovr_app.view3d.scene.hand import Band, MenuPlace
 from qovr_app.view3d.scene.picture import Picture
-from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 
 _LEFT, _RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
@@ -26,29 +23,6 @@ _SHIFT, _CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.Contro
 
 _FREEDOMS = {Way.Z: along(2), Way.VIEW: IN_VIEW, Way.NORMAL: ALONG_NORMAL}
 """What may change of a point that is itself dragged."""
-
-
-class Doing(StrEnum):
-    """What a press does."""
-
-    MOVE = "move points"
-    LOOK = "move the camera"
-    SELECT = "draw a rectangle"
-    WAIT = "wait for the release"
-
-
-@dataclass
-class _Press:
-    """One press, from the button going down to its release."""
-
-    button: Qt.MouseButton
-    at: QPointF
-    doing: Doing
-    motion: Motion | None = None
-    pivot: Array | None = None
-    point: NetIndex | None = None
-    picking: Picking = Picking.REPLACE
-    has_moved: bool = False
 
 
 class Mouse(QObject):
@@ -59,20 +33,20 @@ class Mouse(QObject):
     camera_requested : a Camera
     picked : control points (i, j), the last one picked last, and what they do to the selection
     opened : the control point whose fields are wanted
-    menu_asked : the pixel of the viewport at which a menu is wanted
+    menu_asked : a MenuWish
     changed : something else is to be drawn
     """
 
     camera_requested = Signal(object)
     picked = Signal(object, object)
     opened = Signal(object)
-    menu_asked = Signal(QPoint)
+    menu_asked = Signal(object)
     changed = Signal()
 
     def __init__(self, dragger: PointDragger) -> None:
         super().__init__(dragger)
         self._dragger = dragger
-        self._press: _Press | None = None
+        self._press: Press | None = None
         self._last = QPointF()
         self._clicked: QPointF | None = None
 
@@ -95,7 +69,7 @@ class Mouse(QObject):
             self._press = self._take(event, picture, size)
         else:
             motion = motion_of(picture.settings.mouse, event.button(), event.modifiers())
-            self._press = _Press(event.button(), at, Doing.LOOK, motion, pivot_under(picture, size, at))
+            self._press = Press(event.button(), at, Doing.LOOK, motion, pivot_under(picture, size, at))
 
     def double_click(self, event: QMouseEvent, picture: Picture, size: Size) -> None:
         """Open the fields of a control point, or select a row or column; elsewhere it is another press."""
@@ -111,7 +85,7 @@ class Mouse(QObject):
         else:
             self.press(event, picture, size)
             return
-        self._press = _Press(_LEFT, event.position(), Doing.WAIT)
+        self._press = Press(_LEFT, event.position(), Doing.WAIT)
 
     def move(self, event: QMouseEvent, modifiers: Qt.KeyboardModifier, picture: Picture, size: Size) -> None:
         """Go on with what the press began, with these modifiers held."""
@@ -151,7 +125,7 @@ class Mouse(QObject):
             corner, other = ((at.x(), at.y()) for at in (press.at, event.position()))
             self.picked.emit(tuple(points_within(picture, size, corner, other)), press.picking)
         elif press.doing in (Doing.SELECT, Doing.LOOK) and not press.has_moved:
-            self._click(press, picture)
+            self._click(press, picture, size)
         self._clicked = None if press.has_moved else press.at
         self.changed.emit()
 
@@ -179,28 +153,28 @@ class Mouse(QObject):
         """Whether a button is down that was pressed here."""
         return self._press is not None
 
-    def _take(self, event: QMouseEvent, picture: Picture, size: Size) -> _Press:
+    def _take(self, event: QMouseEvent, picture: Picture, size: Size) -> Press:
         """Return what a press of the left button begins: gizmo, point, rectangle or camera, in this order."""
         at, modifiers = event.position(), event.modifiers()
         freedom = gizmo_under(picture, size, at.x(), at.y())
         if freedom is not None and picture.last_selected is not None:
             self._hold(picture, size, picture.last_selected, freedom, at)
-            return _Press(_LEFT, at, Doing.MOVE)
+            return Press(_LEFT, at, Doing.MOVE)
         points = points_under(picture, size, at.x(), at.y())
         if picture.tools.selects or (modifiers & _CONTROL and not points):
             picking = _picking(modifiers) if picture.tools.selects or modifiers & _SHIFT else Picking.REPLACE
-            return _Press(_LEFT, at, Doing.SELECT, point=points[0] if points else None, picking=picking)
+            return Press(_LEFT, at, Doing.SELECT, point=points[0] if points else None, picking=picking)
         if points:
             index = _chosen(points, picture)
             if modifiers & (_SHIFT | _CONTROL):
                 self.picked.emit((index,), _picking(modifiers))
-                return _Press(_LEFT, at, Doing.WAIT)
+                return Press(_LEFT, at, Doing.WAIT)
             if index not in picture.selected:
                 self.picked.emit((index,), Picking.REPLACE)
             self._hold(picture, size, index, None, at)
-            return _Press(_LEFT, at, Doing.MOVE, point=index if index in picture.selected else None)
+            return Press(_LEFT, at, Doing.MOVE, point=index if index in picture.selected else None)
         motion = motion_of(picture.settings.mouse, _LEFT, modifiers)
-        return _Press(_LEFT, at, Doing.LOOK, motion, pivot_under(picture, size, at))
+        return Press(_LEFT, at, Doing.LOOK, motion, pivot_under(picture, size, at))
 
     def _hold(self, picture: Picture, size: Size, index: NetIndex, freedom: Freedom | None, at: QPointF) -> None:
         """Hold a point and, where it is selected, all that are selected with it."""
@@ -213,7 +187,7 @@ class Mouse(QObject):
         snaps = picture.tools.snaps is not bool(modifiers & _CONTROL)
         self._dragger.move_to(at, is_fine=bool(modifiers & _SHIFT), snaps=snaps)
 
-    def _click_on_points(self, press: _Press, picture: Picture, size: Size) -> None:
+    def _click_on_points(self, press: Press, picture: Picture, size: Size) -> None:
         """Select the point that was clicked alone; of several in one place the next, where it was clicked before."""
         if press.point is None:
             return
@@ -226,10 +200,13 @@ class Mouse(QObject):
         if picture.selected != {wanted}:
             self.picked.emit((wanted,), Picking.REPLACE)
 
-    def _click(self, press: _Press, picture: Picture) -> None:
+    def _click(self, press: Press, picture: Picture, size: Size) -> None:
         """Ask for a menu, select a point with the tool for it, or clear the selection."""
         if press.button == _RIGHT:
-            self.menu_asked.emit(press.at.toPoint())
+            wish = menu_wish(picture, size, press.at.x(), press.at.y())
+            if wish.place is MenuPlace.POINT and not picture.selected.intersection(wish.points):
+                self.picked.emit(wish.points[:1], Picking.REPLACE)
+            self.menu_asked.emit(wish)
         elif press.point is not None:
             self.picked.emit((press.point,), press.picking)
         elif press.button == _LEFT and picture.selected:

@@ -8,8 +8,9 @@ import numpy.typing as npt
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.gizmo import gizmo_at
 from qovr_app.view3d.scene.grip import Freedom
+from qovr_app.view3d.scene.hand import MenuPlace, MenuWish
 from qovr_app.view3d.scene.occlusion import hidden_by
-from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.picture import Picture, is_in_colour_bar
 from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 
@@ -74,6 +75,16 @@ def gizmo_under(picture: Picture, size: Size, x: float, y: float) -> Freedom | N
         return None
     gizmo = gizmo_at(picture.scene.points[picture.last_selected], picture.camera, size)
     return None if gizmo is None else gizmo.freedom_under(x, y)
+
+
+def menu_wish(picture: Picture, size: Size, x: float, y: float) -> MenuWish:
+    """Return for what a click with the right button at a pixel asks a menu."""
+    if is_in_colour_bar(picture.settings, size, x):
+        return MenuWish(MenuPlace.COLOUR_BAR, (x, y))
+    points, line = points_under(picture, size, x, y), net_line_under(picture, size, x, y)
+    if points:
+        return MenuWish(MenuPlace.POINT, (x, y), tuple(points))
+    return MenuWish(MenuPlace.NET_LINE, (x, y), tuple(line)) if line else MenuWish(MenuPlace.VIEW, (x, y))
 
 
 def _with_hidden(picture: Picture, size: Size, numbers: npt.NDArray[np.intp]) -> list[tuple[NetIndex, bool]]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 
 from qovr_app.view3d.scene.grip import Freedom
 from qovr_core.arrays import Array
@@ -10,6 +11,31 @@ from qovr_core.document import NetIndex
 
 Band = tuple[float, float, float, float]
 """Left, top, right and bottom of a rectangle that is drawn with the mouse, in logical pixels."""
+
+
+class MenuPlace(StrEnum):
+    """What a menu is asked for."""
+
+    POINT = "point"
+    NET_LINE = "net line"
+    COLOUR_BAR = "colour bar"
+    VIEW = "view"
+
+
+@dataclass(frozen=True)
+class MenuWish:
+    """A menu that is wanted.
+
+    Parameters
+    ----------
+    place : what it is for
+    at : the pixel of the viewport
+    points : the control points there, the nearest first, or those of the line
+    """
+
+    place: MenuPlace
+    at: tuple[float, float]
+    points: tuple[NetIndex, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

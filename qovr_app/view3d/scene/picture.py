@@ -100,6 +100,11 @@ def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
     return settings.colour_bar and settings.surface and size[0] >= _NARROW
 
 
+def is_in_colour_bar(settings: DisplaySettings, size: Size, x: float) -> bool:
+    """Return whether a pixel of a viewport belongs to the colour bar and its numbers."""
+    return has_colour_bar(settings, size) and x >= size[0] - _BAR_ROOM
+
+
 def margins(settings: DisplaySettings, size: Size) -> Margins:
     """Return the room that a fitted picture leaves for labels and colour bar."""
     side = _AXES_ROOM if settings.axes else _BARE_ROOM
