@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox
 from qovr_app.window.commands import command_table
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 
-ACTIONS = int(os.environ.get("QOVR_ACTIONS", "2000"))
+ACTIONS = int(os.environ.get("QOVR_ACTIONS", "500"))
 """How many; at length: QOVR_ACTIONS=20000."""
 
 CHECK_EVERY = 20
