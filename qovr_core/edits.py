@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array
-from qovr_core.document import Document, NetIndex
+from qovr_core.document import Document
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Direction, KnotPlace, Knots, knot_array
@@ -56,30 +56,6 @@ def set_point(document: Document, i: int, j: int, point: npt.ArrayLike) -> Docum
     """Return the document with P_{i,j} at ``point``, (3,)."""
     net = document.control_points.copy()
     net[i, j] = point
-    return set_points(document, net)
-
-
-def move_points(document: Document, indices: Sequence[NetIndex], displacements: Array) -> Document:
-    """Return the document with some points moved.
-
-    Parameters
-    ----------
-    indices : which; a point that is named twice moves twice
-    displacements : (k, 3), of each
-
-    Raises
-    ------
-    DocumentError : the net has no such point, there is not one displacement a point, or a point comes to stand where
-        none can
-    """
-    net = document.control_points.copy()
-    for i, j in indices:
-        if not (0 <= i < net.shape[0] and 0 <= j < net.shape[1]):
-            raise DocumentError("the point to move", f"P {i},{j}", f"one of a net of {net.shape[0]} x {net.shape[1]}")
-    if displacements.shape != (len(indices), 3):
-        found = " x ".join(map(str, displacements.shape))
-        raise DocumentError("the displacements", f"{found} numbers", f"{len(indices)} x 3, one for each point")
-    np.add.at(net, tuple(np.array(indices, dtype=np.intp).reshape(-1, 2).T), displacements)
     return set_points(document, net)
 
 

@@ -243,4 +243,5 @@ def field_rounding(field: Field, points: Array, rounding: npt.ArrayLike = 0.0) -
     largest, extent = float(np.abs(flat).max()), hypot(*np.ptp(flat, axis=0))
     size = extent or largest or 1.0
     noise = max(_ROUNDING * (largest or size), float(np.max(rounding)))
-    return noise / size * size**field.length_power
+    with np.errstate(over="ignore", under="ignore"):  # a curvature of something minute is beyond all numbers
+        return float(noise / size * np.float64(size) ** field.length_power)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable, Sequence
-from decimal import Decimal
+from decimal import ROUND_DOWN, Context, Decimal
 
 MINUS = "\N{MINUS SIGN}"
 MORE_DIGITS = "…"
@@ -48,22 +48,29 @@ def number_text(value: float) -> str:
 def fitted_text(value: float, fits: Callable[[str], bool]) -> str:
     """Return a number's text with as many digits as fit; an ellipsis stands for those that do not.
 
-    Magnitude and sign are never cut off: where the whole part does not fit, the text gets an exponent.
+    Magnitude and sign are never cut off: where the whole part does not fit, the text gets an exponent; where that has
+    no room beside one digit, the text says that there is one. The digits shown
+    are the number's own, not rounded: others follow them.
     """
     exact = number_text(value)
     if fits(exact):
         return exact
     for digits in range(_MOST_DIGITS, 0, -1):
-        mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
+        shown = float(Context(prec=digits, rounding=ROUND_DOWN).create_decimal(repr(value)))
+        mantissa, _, exponent = f"{shown:.{digits}g}".partition("e")
         power = f"e{int(exponent)}" if exponent else ""
         if fits(text := f"{mantissa}{MORE_DIGITS}{power}"):
             return text
-    return text
+    return f"{mantissa}{'e' * bool(exponent)}{MORE_DIGITS}"
 
 
-def block_text(rows: Sequence[Sequence[float]]) -> str:
-    """Return rows of numbers as a spreadsheet takes them: tabs, line ends, full precision."""
-    return "".join("\t".join(map(number_text, row)) + "\n" for row in rows)
+def block_text(rows: Sequence[Sequence[float | str]]) -> str:
+    """Return rows of numbers and words as a spreadsheet takes them: tabs, line ends, full precision."""
+    return "".join("\t".join(map(_cell_text, row)) + "\n" for row in rows)
+
+
+def _cell_text(cell: float | str) -> str:
+    return " ".join(cell.split()) if isinstance(cell, str) else number_text(cell)
 
 
 def rounded_text(value: float, digits: int) -> str:

@@ -23,11 +23,12 @@ MOST_METHODS = 20
 FLOORS = {
     "qovr_core": (
         "arrays cameras errors layer number_texts registry version",
-        "checks colours streams",
+        "checks colours net_edits net_moves streams",
         "geometry",
         "fields formulations",
         "document",
         "edits presets",
+        "shapes symmetry",
         "construction",
         "evaluation",
         "files laboratory report",

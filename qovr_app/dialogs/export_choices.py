@@ -9,8 +9,9 @@ from typing import TypeVar
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
-from qovr_app.state.typed import typed_number
+from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.parts import named, words
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import Document, DocumentError
 from qovr_core.files import Format
 from qovr_core.files.conventions import CsvDialect, Unit, Up
@@ -41,6 +42,7 @@ class ExportChoices(QWidget):
         self._keeps = self._text("export.keeps")
         self._loses = self._text("export.loses")
         self._layer = named(QComboBox(self), "export.layer", "Which surface")
+        guard_from_wheels(self._layer)
         self._layer.addItems([str(layer) for layer in Layer])
         self._layer.setCurrentText(str(document.formulation.resting_layer))
         self._tolerance = named(QLineEdit(self), "export.tolerance", "Largest distance of the mesh from the surface")
@@ -98,6 +100,7 @@ class ExportChoices(QWidget):
     def _choice(self, name: str, spoken: str, kind: type[_Kind], chosen: _Kind | None) -> QComboBox:
         """Return a list of all values of a kind; each item's data is the value's text."""
         box = named(QComboBox(self), name, spoken)
+        guard_from_wheels(box)
         for value in kind:
             box.addItem(value.value, value.value)
         box.setCurrentIndex(box.findData(chosen.value) if chosen else 0)

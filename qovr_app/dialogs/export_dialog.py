@@ -6,17 +6,14 @@ import os
 from math import prod
 from pathlib import Path
 
-from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtWidgets import (
-    QDialog,
+    QAbstractButton,
     QDialogButtonBox,
-    QFileDialog,
     QGridLayout,
     QHBoxLayout,
     QLabel,
     QLineEdit,
-    QProgressBar,
     QPushButton,
     QVBoxLayout,
     QWidget,
@@ -25,51 +22,38 @@ from PySide6.QtWidgets import (
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.export_choices import ExportChoices
 from qovr_app.dialogs.format_list import FormatList
-from qovr_app.widgets.parts import named, words
-from qovr_app.work.job import Job
+from qovr_app.dialogs.room import resize_within_screen
+from qovr_app.dialogs.target import ask_for_target, stands
+from qovr_app.dialogs.writing_dialog import WritingDialog
+from qovr_app.widgets.parts import named
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.files import FORMATS, ExportOptions, find_format
 from qovr_core.files.formats import export
 
-_PROGRESS_PARTS = 1000
 _WIDTH = 760
 _COLUMN_GAP = 16
 _FIRST_FORMAT = ".xlsx"
 
 
-class ExportDialog(QDialog):
+class ExportDialog(WritingDialog):
     """Writes one configured document in a format of the one table of formats.
 
     Parameters
     ----------
     first : the unit, axis and dialect that are chosen first
-
-    Signals
-    -------
-    exported : the path that was written
     """
-
-    exported = Signal(object)
 
     def __init__(
         self, document: Document, stem: Path, worker: Worker, first: ExportOptions, parent: QWidget | None = None
     ) -> None:
-        super().__init__(parent)
-        self.setWindowTitle("Export Data")
-        self.setObjectName("export")
+        super().__init__("export", "Export Data", worker, parent)
         self._document = document
-        self._worker = worker
-        self._job: Job | None = None
         self._formats = FormatList("export.format", self)
         self._formats.choose(_FIRST_FORMAT)
         self._choices = ExportChoices(document, first, self)
         self._path = named(QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self), "export.path")
         self._browse = named(QPushButton("&Browse…", self), "export.browse")
-        self._note = words("export.note", self)
-        self._bar = named(QProgressBar(self), "export.progress")
-        self._bar.setRange(0, _PROGRESS_PARTS)
-        self._bar.setVisible(False)
         self._buttons = QDialogButtonBox(self)
         start = self._buttons.addButton("&Export", QDialogButtonBox.ButtonRole.AcceptRole)
         self._start = named(start, "export.start")
@@ -93,19 +77,11 @@ class ExportDialog(QDialog):
         """The unit, axis and dialect that are chosen."""
         return self._choices.conventions
 
-    def reject(self) -> None:
-        if self._job is None:
-            super().reject()
-        else:
-            self._cancel.setEnabled(False)
-            self._note.setText("Cancelling…")
-            self._job.cancel(self._on_cancelled)
+    def inputs(self) -> list[QWidget]:
+        return [self._formats, self._choices, self._path, self._browse, self._start]
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.key() == Qt.Key.Key_Escape:
-            self.reject()
-        else:
-            super().keyPressEvent(event)
+    def cancel_button(self) -> QAbstractButton:
+        return self._cancel
 
     def _arrange(self) -> None:
         grid = QGridLayout()
@@ -121,10 +97,10 @@ class ExportDialog(QDialog):
         layout = QVBoxLayout(self)
         layout.addLayout(upper, 1)
         layout.addLayout(grid)
-        layout.addWidget(self._note)
-        layout.addWidget(self._bar)
+        layout.addWidget(self.note)
+        layout.addWidget(self.bar)
         layout.addWidget(without_icons(self._buttons))
-        self.resize(_WIDTH, self.sizeHint().height())
+        resize_within_screen(self, QSize(_WIDTH, self.sizeHint().height()))
 
     def _connect(self) -> None:
         self._formats.currentItemChanged.connect(self._on_format_chosen)
@@ -155,10 +131,10 @@ class ExportDialog(QDialog):
         if announcement := self._formats.entry.announce(self._document):
             parts = [f"{announcement}."]
         path = self.path
-        if path is not None and path.is_file():
+        if path is not None and stands(path):
             parts.append(f"{path.name} exists and will be replaced.")
         refusal = self._refusal(path)
-        self._note.setText(refusal or "  ".join(parts))
+        self.note.setText(refusal or "  ".join(parts))
         self._start.setEnabled(path is not None and not refusal)
 
     def _refusal(self, path: Path | None) -> str:
@@ -172,53 +148,23 @@ class ExportDialog(QDialog):
         return ""
 
     def _on_browse(self) -> None:
-        kinds = ";;".join(f"{entry.name} (*{entry.suffix})" for entry in FORMATS.values())
-        kind = f"{self._formats.entry.name} (*{self._formats.entry.suffix})"
-        options = QFileDialog.Option.DontConfirmOverwrite  # the dialog says so itself
-        name, _ = QFileDialog.getSaveFileName(self, "Export Data", self._path.text(), kinds, kind, options)
-        if name:
-            self._path.setText(name)
-            self._on_path_typed(name)
+        kinds = {entry.suffix: entry.name for entry in FORMATS.values()}
+        others = {suffix for entry in FORMATS.values() for suffix in entry.other_suffixes}
+        first = self.path or Path(f"surface{self._formats.entry.suffix}")
+        target = ask_for_target(
+            self, "Export Data", first, kinds, other_suffixes=others, asks_to_replace=False
+        )  # the note says what is there
+        if target is not None:
+            self._path.setText(str(target))
+            self._on_path_typed(str(target))
 
     def _run(self) -> None:
-        if self._job is not None or self.path is None:
+        path = self.path
+        if self.is_writing or path is None:
             return
+        said = self.note.text()
         self._describe()
-        if not self._start.isEnabled():
-            return
+        if not self._start.isEnabled() or (stands(path) and self.note.text() != said):
+            return  # what has come there since it was last said is said first
         options = self._choices.options(self._formats.entry)
-        self._set_running(True)
-        self._job = self._worker.run(
-            export,
-            self._document,
-            self.path,
-            options,
-            on_progress=lambda part: self._bar.setValue(round(part * _PROGRESS_PARTS)),
-            on_done=lambda _: self._on_done(),
-            on_failed=lambda error: self._stop(f"{error}."),
-            target=self.path,
-        )
-
-    def _set_running(self, is_running: bool) -> None:
-        for widget in (self._formats, self._choices, self._path, self._browse, self._start):
-            widget.setEnabled(not is_running)
-        self._cancel.setEnabled(True)
-        self._bar.setValue(0)
-        self._bar.setVisible(is_running)
-
-    def _on_done(self) -> None:
-        self._set_running(False)
-        self._job = None
-        self.exported.emit(self.path)
-        self.accept()
-
-    def _on_cancelled(self, was_done: bool) -> None:
-        if was_done:
-            self._on_done()
-        else:
-            self._stop("Cancelled; nothing was written.")
-
-    def _stop(self, reason: str) -> None:
-        self._set_running(False)
-        self._job = None
-        self._note.setText(reason)
+        self.write(export, self._document, path, options, path=path)

@@ -2,58 +2,64 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QComboBox,
-    QDialog,
-    QDialogButtonBox,
-    QDoubleSpinBox,
-    QFileDialog,
-    QFormLayout,
-    QLabel,
-    QSpinBox,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractButton, QCheckBox, QComboBox, QDialogButtonBox, QFormLayout, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
+from qovr_app.dialogs.target import ask_for_target
+from qovr_app.dialogs.writing_dialog import WritingDialog
 from qovr_app.state.figure_options import SUFFIXES, FigureOptions
 from qovr_app.widgets.parts import named
+from qovr_app.widgets.spin_boxes import CountBox, NumberBox
+from qovr_app.widgets.wheel import guard_from_wheels
+from qovr_app.work.worker import Worker
 
 _FIRST = FigureOptions()
 _MILLIMETRES = "millimetres"
 _PIXELS = "pixels"
 
 
-class FigureDialog(QDialog):
-    """Asks for the options of Save Figure, then for the file.
+FigureWriter = Callable[[Path, FigureOptions, Any], None]
+"""Writes a figure of these options into a file, telling its progress, or raises QovrError."""
 
-    ``path`` and ``options`` hold the answer once the dialog was accepted; ``vectors`` says what SVG and PDF hold.
+
+class FigureDialog(WritingDialog):
+    """Asks for the options of Save Figure, then for the file, and has it written.
+
+    Parameters
+    ----------
+    path : what is offered
+    vectors : what SVG and PDF hold
+    draw : writes the figure
     """
 
-    def __init__(self, path: Path, vectors: str, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.setWindowTitle("Save Figure")
-        self.path, self._vectors = path, vectors
+    def __init__(
+        self, path: Path, vectors: str, draw: FigureWriter, worker: Worker, parent: QWidget | None = None
+    ) -> None:
+        super().__init__("figure", "Save Figure", worker, parent)
+        self._path, self._vectors, self._draw = path, vectors, draw
         self._unit = named(QComboBox(self), "figure.unit")
+        guard_from_wheels(self._unit)
         self._unit.addItems([_MILLIMETRES, _PIXELS])
         self._width = self._length("figure.width", _FIRST.width)
         self._height = self._length("figure.height", _FIRST.height)
-        self._dpi = named(QSpinBox(self, minimum=30, maximum=2400, value=round(_FIRST.dpi or 300)), "figure.dpi")
+        self._dpi = named(CountBox(30, 2400, round(_FIRST.dpi or 300), self), "figure.dpi")
         self._transparent = named(QCheckBox("Transparent background (PNG and SVG)", self), "figure.transparent")
-        self._note = named(QLabel(self), "figure.note")
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
-        buttons.accepted.connect(self._choose_file)
-        buttons.rejected.connect(self.reject)
+        self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
+        self._buttons.accepted.connect(self._choose_file)
+        self._buttons.rejected.connect(self.reject)
         form = QFormLayout(self)
         form.addRow("&Unit", self._unit)
         form.addRow("&Width", self._width)
         form.addRow("&Height", self._height)
         form.addRow("&Resolution (dpi)", self._dpi)
         form.addRow(self._transparent)
-        form.addRow(self._note)
-        form.addRow(without_icons(buttons))
+        form.addRow(self.note)
+        form.addRow(self.bar)
+        form.addRow(without_icons(self._buttons))
         self._unit.currentTextChanged.connect(self._change_unit)
         for changed in (self._width.valueChanged, self._height.valueChanged, self._dpi.valueChanged):
             changed.connect(self._show_size)
@@ -70,8 +76,8 @@ class FigureDialog(QDialog):
             transparent=self._transparent.isChecked(),
         )
 
-    def _length(self, name: str, value: float) -> QDoubleSpinBox:
-        return named(QDoubleSpinBox(self, decimals=1, minimum=10.0, maximum=20_000.0, value=value), name)
+    def _length(self, name: str, value: float) -> NumberBox:
+        return named(NumberBox(10.0, 20_000.0, 1, value, self), name)
 
     def _change_unit(self, unit: str) -> None:
         """Keep the figure's size when its unit changes."""
@@ -84,15 +90,22 @@ class FigureDialog(QDialog):
 
     def _show_size(self) -> None:
         width, height = self.options.pixels
-        self._note.setText(f"{width} × {height} pixels; in SVG and PDF {self._vectors}")
+        self.note.setText(f"{width} × {height} pixels; in SVG and PDF {self._vectors}")
+
+    def inputs(self) -> list[QWidget]:
+        save = self._buttons.button(QDialogButtonBox.StandardButton.Save)
+        return [self._unit, self._width, self._height, self._dpi, self._transparent, save]
+
+    def cancel_button(self) -> QAbstractButton:
+        return self._buttons.button(QDialogButtonBox.StandardButton.Cancel)
+
+    def _set_writing(self, is_writing: bool) -> None:
+        super()._set_writing(is_writing)
+        self._dpi.setEnabled(not is_writing and self._unit.currentText() == _MILLIMETRES)
 
     def _choose_file(self) -> None:
-        kinds = ";;".join(f"{suffix[1:].upper()} (*{suffix})" for suffix in SUFFIXES)
-        name, kind = QFileDialog.getSaveFileName(self, "Save Figure", str(self.path), kinds)
-        if not name:
-            return
-        path = Path(name)
-        if path.suffix.lower() not in SUFFIXES:
-            path = path.with_name(f"{path.name}.{kind[:3].lower()}")
-        self.path = path
-        self.accept()
+        path = ask_for_target(self, "Save Figure", self._path, {suffix: suffix[1:].upper() for suffix in SUFFIXES})
+        if path is not None:
+            self._path = path
+            self._show_size()
+            self.write(self._draw, path, self.options, path=path)

@@ -9,7 +9,9 @@ from qovr_core.files import FORMATS, Format
 
 _ROW_BEYOND_TEXT = 10
 _COLUMN_GAP = 16
-_SUFFIX_WIDTH = 64
+_FEWEST_ROWS = 4
+_LEAST_SUFFIX_WIDTH = 64
+_LONGEST_SUFFIX = ".qovr"
 
 
 class FormatList(QTreeWidget):
@@ -32,8 +34,16 @@ class FormatList(QTreeWidget):
             self.addTopLevelItem(item)
         self.resizeColumnToContents(0)
         self.setColumnWidth(0, self.columnWidth(0) + _COLUMN_GAP)
-        self.setFixedWidth(self.columnWidth(0) + _SUFFIX_WIDTH)
-        self.setMinimumHeight(len(FORMATS) * row_height + 2 * self.frameWidth())
+        suffix_width = (
+            self.fontMetrics().horizontalAdvance(_LONGEST_SUFFIX) + self.verticalScrollBar().sizeHint().width()
+        )
+        self.setFixedWidth(self.columnWidth(0) + max(_LEAST_SUFFIX_WIDTH, suffix_width + _COLUMN_GAP))
+        self._rows_height = len(FORMATS) * row_height + 2 * self.frameWidth()
+        self.setMinimumHeight(min(self._rows_height, _FEWEST_ROWS * row_height))
+
+    def sizeHint(self) -> QSize:
+        """Return the size of all formats; where the screen is low, they scroll."""
+        return QSize(super().sizeHint().width(), self._rows_height)
 
     @property
     def entry(self) -> Format:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from importlib.resources import files
 
-from PySide6.QtCore import QSize, Qt
+from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
+from qovr_app.dialogs.room import resize_within_screen
 from qovr_app.widgets.parts import named
 
 _SIZE = QSize(720, 640)
@@ -21,11 +22,11 @@ class HelpDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Help")
         self.setObjectName("help")
-        text = named(QTextBrowser(self), "help.text")
+        text = self._text = named(QTextBrowser(self), "help.text")
         text.setOpenExternalLinks(True)
         text.setFrameShape(QTextBrowser.Shape.NoFrame)
         text.document().setDocumentMargin(_MARGIN)
-        text.setHtml(files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8"))
+        self._read()
         text.setTextInteractionFlags(
             Qt.TextInteractionFlag.TextBrowserInteraction | Qt.TextInteractionFlag.TextSelectableByKeyboard
         )
@@ -35,4 +36,14 @@ class HelpDialog(QDialog):
         layout.setContentsMargins(0, 0, 0, _MARGIN // 2)
         layout.addWidget(text)
         layout.addWidget(without_icons(buttons))
-        self.resize(_SIZE)
+        resize_within_screen(self, _SIZE)
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            place = self._text.verticalScrollBar().value()
+            self._read()  # links keep the colour in which they were read
+            self._text.verticalScrollBar().setValue(place)
+
+    def _read(self) -> None:
+        self._text.setHtml(files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8"))

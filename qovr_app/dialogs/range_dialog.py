@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
-from qovr_app.state.typed import typed_number
+from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.parts import named
+from qovr_app.widgets.plain import plain_label
 from qovr_core import QovrError
 from qovr_core.fields import Range
 from qovr_core.number_texts import number_text
@@ -28,13 +29,13 @@ class RangeDialog(QDialog):
         self.setWindowTitle("Fixed Colour Range")
         self.setObjectName("colour_range")
         self._low, self._high = (self._end(name, value) for name, value in zip(("low", "high"), limits, strict=True))
-        self._note = named(QLabel(self), "colour_range.note")
+        self._note = named(plain_label("", self), "colour_range.note")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         self._ok = buttons.button(QDialogButtonBox.StandardButton.Ok)
         form = QFormLayout(self)
-        form.addRow(QLabel(title))
+        form.addRow(plain_label(title, self))
         form.addRow("&From", self._low)
         form.addRow("&To", self._high)
         form.addRow(self._note)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QWidget
@@ -10,7 +10,15 @@ from PySide6.QtWidgets import QFileDialog, QWidget
 from qovr_app.dialogs.question import Answer, ask
 
 
-def ask_for_target(parent: QWidget, title: str, first: Path, kinds: Mapping[str, str]) -> Path | None:
+def ask_for_target(
+    parent: QWidget,
+    title: str,
+    first: Path,
+    kinds: Mapping[str, str],
+    *,
+    other_suffixes: Container[str] = (),
+    asks_to_replace: bool = True,
+) -> Path | None:
     """Return where to write, with one of the suffixes; None where nobody wants to.
 
     What is there already has been asked about: by the dialog where the name was typed whole, here where the suffix
@@ -20,23 +28,25 @@ def ask_for_target(parent: QWidget, title: str, first: Path, kinds: Mapping[str,
     ----------
     first : what is offered; its suffix is the one that is added to a name without one
     kinds : what is called how, by suffix
+    other_suffixes : which a name may have as well
+    asks_to_replace : whether what is there already is asked about here; else whoever asks has to say so
     """
     filters = {suffix: f"{name} (*{suffix})" for suffix, name in kinds.items()}
-    shown = filters.get(first.suffix.lower(), "")
-    name, kind = QFileDialog.getSaveFileName(parent, title, str(first), ";;".join(filters.values()), shown)
+    call = (parent, title, str(first), ";;".join(filters.values()))
+    if asks_to_replace:
+        name, kind = QFileDialog.getSaveFileName(*call)
+    else:
+        shown, unasked = filters.get(first.suffix.lower(), ""), QFileDialog.Option.DontConfirmOverwrite
+        name, kind = QFileDialog.getSaveFileName(*call, shown, unasked)
     if not name:
         return None
     typed = Path(name)
     suffix = next((suffix for suffix, text in filters.items() if text == kind), first.suffix)
-    target = with_suffix_of(typed, kinds, suffix)
-    if target == typed or not stands(target) or _may_replace(parent, title, target):
+    has_one = typed.suffix.lower() in kinds or typed.suffix.lower() in other_suffixes
+    target = typed if has_one else typed.with_name(typed.name + suffix)
+    if not asks_to_replace or target == typed or not stands(target) or _may_replace(parent, title, target):
         return target
     return None
-
-
-def with_suffix_of(path: Path, kinds: Mapping[str, str], suffix: str) -> Path:
-    """Return a path that has one of the suffixes: its own, or another one added to its name."""
-    return path if path.suffix.lower() in kinds else path.with_name(path.name + suffix)
 
 
 def stands(path: Path) -> bool:

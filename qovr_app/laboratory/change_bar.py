@@ -11,14 +11,15 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, named, symbol
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
 from qovr_core.document import NetIndex
 from qovr_core.edits import value_at
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount
+from qovr_core.number_texts import natural_step
 
-_STEP = 0.01
 _FIELD_WIDTH = 76
 _FIRST_AXIS = 2
 """The heights are what the paper moves."""
@@ -53,9 +54,9 @@ class ChangeBar(QWidget):
         self._axis.setCurrentIndex(_FIRST_AXIS)
         self._axis.setToolTip("Axis along which the point moves")
         self._by = QLabel("by", self)
-        amount = NumberField("the amount", self._check, _STEP, self)
+        amount = NumberField("the amount", self._check, self._step, self)
         self._amount = named(amount, f"{name}.amount", "Amount of the change")
-        self._amount.setFixedWidth(_FIELD_WIDTH)
+        self._amount.set_width(_FIELD_WIDTH)
         self._default = CompactButton("Default", f"{name}.default", "", self)
         self._layer = named(QComboBox(self), f"{name}.layer", "Surface on which it is measured")
         for layer in Layer:
@@ -120,6 +121,10 @@ class ChangeBar(QWidget):
             return default_amount(document, place)
         return float(f"{DEFAULT_PART * document.net_size:.2g}") or DEFAULT_PART
 
+    def _step(self, amount: float) -> float:
+        """Return the step of an amount, which is as large as what it moves in, the net or a knot's interval."""
+        return natural_step(amount, 1.0 if self._is_knot or self._focused is None else self._focused[0].net_size)
+
     def _check(self, value: object, name: str) -> float:
         amount = checked_number(value, name)
         if amount == 0:
@@ -141,6 +146,7 @@ class ChangeBar(QWidget):
         self.change_edited.emit()
 
     def _connect(self) -> None:
+        guard_from_wheels(self._axis, self._layer)
         self._axis.currentIndexChanged.connect(lambda _index: self.change_edited.emit())
         self._layer.currentIndexChanged.connect(lambda _index: self.change_edited.emit())
         self._amount.value_edited.connect(self._on_amount_edited)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
 from qovr_app.laboratory.panel import WorkingPanel
@@ -18,6 +18,7 @@ from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import CompactButton, named
+from qovr_app.widgets.plain import plain_label, plain_tip
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
@@ -58,7 +59,7 @@ class ClaimsPanel(WorkingPanel):
         self._example = self._button(
             "example", "Open a document that shows what was found", lambda finding: finding.example
         )
-        self._state = named(QLabel(self), "laboratory.claims.state")
+        self._state = named(plain_label("", self), "laboratory.claims.state")
         self._progress = named(QProgressBar(self), "laboratory.claims.progress", "Verdicts found")
         self._progress.setRange(0, self._all)
         self._arrange()
@@ -117,7 +118,7 @@ class ClaimsPanel(WorkingPanel):
 
     def _show_progress(self, text: str) -> None:
         self._state.setText(text)
-        self._state.setToolTip(text)
+        self._state.setToolTip(plain_tip(text))
         self._progress.setValue(self._found)
         self._progress.setVisible(not self.is_current)
 
@@ -194,7 +195,7 @@ def _details_html(finding: Finding) -> str:
     measured, value = here.what[0].upper() + here.what[1:], short_text(here.value)
     paragraphs = [
         f"<b>{_rich(claim.name)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
-        f"For {finding.formulation}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
+        f"For {_rich(str(finding.formulation))}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
         f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
         f"{_rich(measured)}: <b>{value}</b> here, {short_text(finding.largest)} at most in all trials.",
         f"Found: {_rich(here.note)}." if here.note else "",

@@ -13,14 +13,19 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, named, symbol
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import DocumentError
 from qovr_core.checks import checked_number, described
 from qovr_core.fields import Field
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
+from qovr_core.number_texts import natural_step
 
 _NAME = "laboratory.comparison"
 _PLACEMENTS = {Placement.OVER: "over QOVR", Placement.BESIDE: "beside QOVR", "": "not in the view"}
 _FIELD_WIDTH = 64
+_TENS = 10
+"""A weight steps by tenths of itself, where a length steps by hundredths: less is seen nowhere."""
+
 _TOOL_TIP = Qt.ItemDataRole.ToolTipRole
 
 
@@ -49,8 +54,11 @@ class ComparisonBar(QWidget):
             self._placement.addItem(text, placement)
         self._placement.setToolTip("Over: its lines on QOVR's picture. Beside: a picture of its own, same camera.")
         self._weight_label = symbol("", parent=self)
-        self._weight = named(NumberField("the weight", _checked_weight, 1.0, self), f"{_NAME}.weight")
-        self._weight.setFixedWidth(_FIELD_WIDTH)
+        self._weight = named(
+            NumberField("the weight", _checked_weight, _weight_step, self),
+            f"{_NAME}.weight",
+        )
+        self._weight.set_width(_FIELD_WIDTH)
         self._distances = DistanceMapSwitch(dispatch, self)
         self._copy = CompactButton(
             "Copy Numbers", f"{_NAME}.copy", "Copy the table with every digit, tab separated", self
@@ -79,6 +87,7 @@ class ComparisonBar(QWidget):
         self._dispatch(ComparisonChosen(str(surface), str(placement), self._weight.value))
 
     def _connect(self) -> None:
+        guard_from_wheels(self._surface, self._placement)
         for box in (self._surface, self._placement):
             box.currentIndexChanged.connect(lambda _index: self._choose())
         self._weight.value_edited.connect(lambda _weight, _gesture: self._choose())
@@ -114,6 +123,10 @@ class DistanceMapSwitch(QToolButton):
         """Say whether there is a surface to take distances from, and whether the colours are distances."""
         self.setEnabled(state.shown_comparison is not None)
         self.setChecked(state.display.colour_by == Field.DISTANCE.name)
+
+
+def _weight_step(weight: float) -> float:
+    return natural_step(weight, _TENS * weight)
 
 
 def _checked_weight(value: object, name: str) -> float:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import html
 from functools import partial
 
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from qovr_app.laboratory.comparison_bar import ComparisonBar
@@ -14,13 +14,14 @@ from qovr_app.state.editor_state import EditorState
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.clipboard import copy_table
 from qovr_app.widgets.parts import named, symbol
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
 from qovr_core.document import NetIndex
 from qovr_core.laboratory.comparison import Comparison, ComparisonInput, Measures, compare, compared_names
-from qovr_core.laboratory.comparison_report import copied_text
+from qovr_core.laboratory.comparison_report import copied_rows
 
 
 class ComparisonPanel(WorkingPanel):
@@ -92,12 +93,12 @@ class ComparisonPanel(WorkingPanel):
 
     def _refuse(self, error: QovrError) -> None:
         self._table.clear_measures()
-        self._state.setText(f"Nothing to measure: {error}.")
+        self._state.setText(html.escape(f"Nothing to measure: {error}."))
 
     def _copy(self) -> None:
         if self._wanted is not None:
             comparison = Comparison(ComparisonInput(*self._wanted), self._measures)
-            QGuiApplication.clipboard().setText(copied_text(comparison))
+            copy_table(copied_rows(comparison))
             self.tell("Copied the comparison")
 
     def _arrange(self) -> None:

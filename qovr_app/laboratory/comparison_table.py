@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor, QFont
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
+from qovr_app.state.html_tables import Shown
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.laboratory.comparison import Measures, compared_names
 from qovr_core.laboratory.comparison_report import ROWS, surface_descriptions, surface_titles
 
 _WIDEST_TEXT = "Catmull-Rom"
 _ROW_BEYOND_TEXT = 2
+_VALUE = Qt.ItemDataRole.UserRole
+"""Where a cell has its number in full."""
 
 
 class ComparisonTable(QuietTable):
@@ -50,6 +56,10 @@ class ComparisonTable(QuietTable):
             text = measure.text(measures, net_size)
             item = self.item(row, 1 + self._names.index(name))
             item.setText(text)
+            value = measure.value(measures)
+            has_number = value is not None and isfinite(value)
+            item.setData(_VALUE, value if has_number else None)
+            item.setToolTip(f"{value!r}\n{measure.explanation}" if has_number else measure.explanation)
             spoken = f"{measure.label}, {self._titles[name]}: {text}"
             item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
         self.refresh_colours()
@@ -65,6 +75,7 @@ class ComparisonTable(QuietTable):
         for row in range(len(ROWS)):
             for column in range(1, self.columnCount()):
                 self.item(row, column).setText("")
+                self.item(row, column).setData(_VALUE, None)
 
     def refresh_colours(self) -> None:
         """Take the colours of the theme in force."""
@@ -74,12 +85,13 @@ class ComparisonTable(QuietTable):
             for column, name in enumerate(self._names, start=1):
                 self.item(row, column).setForeground(ink if name in self._new else idle_ink)
 
-    def text_to_copy(self) -> str:
-        """Return what is selected, tab separated."""
-        rows: dict[int, list[str]] = {}
+    def rows_to_copy(self) -> Rows:
+        """Return what is selected as it is shown, with the numbers behind it."""
+        rows: dict[int, list[str | Shown]] = {}
         for index in sorted(self.selectedIndexes()):
-            rows.setdefault(index.row(), []).append(self.item(index.row(), index.column()).text())
-        return "".join("\t".join(texts) + "\n" for texts in rows.values())
+            text, value = index.data() or "", index.data(_VALUE)
+            rows.setdefault(index.row(), []).append(text if value is None else Shown(text, value))
+        return list(rows.values())
 
     def sizeHint(self) -> QSize:
         down = self.verticalHeader().defaultSectionSize()

@@ -9,6 +9,7 @@ from qovr_app.laboratory.curve_drawings import Drawing
 from qovr_app.state.editor_state import Focus
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.parts import CompactButton, named
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core.document import NET_SIZE
 from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.laboratory.planes import View
@@ -54,6 +55,7 @@ class CurveBar(QWidget):
         self._drawing.addItems(list(Drawing))
         self._save = CompactButton("Save Figure…", f"{_NAME}.figure", "Write it as PNG, SVG or PDF", self)
         self._arrange()
+        guard_from_wheels(self._curve, self._view, self._drawing)
         for box in (self._curve, self._view):
             box.currentIndexChanged.connect(lambda _index: self.choice_changed.emit())
         self._equal.toggled.connect(self.scales_linked)

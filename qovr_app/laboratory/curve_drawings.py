@@ -52,8 +52,8 @@ class CurveDrawing:
         """What is added to the document's name for that of a file."""
         return "network" if self.drawing is Drawing.NETWORK else self.curve.name
 
-    def write(self, path: Path, options: FigureOptions) -> None:
-        """Write the drawing.
+    def write(self, path: Path, options: FigureOptions, _report: object = None) -> None:
+        """Write the drawing; there is nothing to report on the way.
 
         Raises
         ------

@@ -13,6 +13,7 @@ from qovr_app.state.looking_intents import PanelShown
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.parts import named
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.work.worker import Worker
 
 _FIRST_SIZE = QSize(640, 330)
@@ -92,6 +93,7 @@ class LaboratoryDock(QWidget):
 
     def _make_tabs(self) -> QTabBar:
         tabs = named(QTabBar(self), "laboratory.tabs", "Panels of the laboratory")
+        guard_from_wheels(tabs)
         tabs.setDocumentMode(True)
         tabs.setDrawBase(False)
         tabs.setExpanding(False)

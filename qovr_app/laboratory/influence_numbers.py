@@ -11,11 +11,12 @@ from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 from qovr_app.laboratory.wording import list_text, motion_text, value_text
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import QuietTable
 from qovr_core import Document
 from qovr_core.laboratory.falloff import EXPONENTIAL_MISFIT, Exponential, Falloff
 from qovr_core.laboratory.influence import Influence, Reach
-from qovr_core.number_texts import block_text, number_text, percent_text
+from qovr_core.number_texts import percent_text
 
 DISTANCE = "d is the distance in u and v from the place of the largest displacement."
 _ROW_BEYOND_TEXT = 2
@@ -82,8 +83,8 @@ def _exponential_facts(best: Exponential) -> list[Fact]:
     ]
 
 
-def copied_text(what: str, document: Document, influence: Influence, fall: Falloff) -> str:
-    """Return all numbers with every digit, tab separated, and the envelope as a table below them."""
+def copied_rows(what: str, document: Document, influence: Influence, fall: Falloff) -> Rows:
+    """Return all numbers with every digit, and the envelope as a table below them."""
     best = fall.exponential
     lines: list[tuple[str, float]] = [
         ("largest displacement", influence.largest),
@@ -98,10 +99,8 @@ def copied_text(what: str, document: Document, influence: Influence, fall: Fallo
     lines += [("line that stays, u", c) for c in influence.still_u]
     lines += [("line that stays, v", c) for c in influence.still_v]
     lines += [("exponential A", best.amplitude), ("exponential L", best.length), ("misfit", best.misfit)]
-    text = "".join(f"{name}\t{number_text(value)}\n" for name, value in lines)
-    envelope = block_text(fall.envelope.tolist())
-    surface = f"{document.formulation}, {influence.layer}"
-    return f"change\t{what}\nsurface\t{surface}\n{text}\ndistance\tlargest displacement\n{envelope}"
+    head = [("change", what), ("surface", f"{document.formulation}, {influence.layer}"), *lines]
+    return [*head, (), ("distance", "largest displacement"), *fall.envelope.tolist()]
 
 
 class FactTable(QuietTable):
@@ -132,11 +131,14 @@ class FactTable(QuietTable):
                 if item.text() != text or item.toolTip() != fact.tip:
                     item.setText(text)
                     item.setToolTip(fact.tip)
-            role = QPalette.ColorRole.PlaceholderText
-            self.item(row, 0).setForeground(self.palette().brush(role))
+        self.style_headers()
 
-    def text_to_copy(self) -> str:
+    def style_headers(self) -> None:
+        """Write the names, which head their lines, in the quiet ink of the theme in force."""
+        for row in range(self.rowCount()):
+            self.item(row, 0).setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))
+
+    def rows_to_copy(self) -> Rows:
         """Return the lines that are selected, or all, as they are shown."""
         rows = sorted({index.row() for index in self.selectedIndexes()}) or range(self.rowCount())
-        lines = ("\t".join(self.item(row, column).text() for column in range(2)) for row in rows)
-        return "".join(f"{line}\n" for line in lines)
+        return [[self.item(row, column).text() for column in range(2)] for row in rows]

@@ -7,13 +7,12 @@ from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.change_bar import ChangeBar
 from qovr_app.laboratory.falloff_plot import FalloffPlot
 from qovr_app.laboratory.heat_map import HeatMap
-from qovr_app.laboratory.influence_numbers import FactTable, copied_text, facts
+from qovr_app.laboratory.influence_numbers import FactTable, copied_rows, facts
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.wording import change_text, value_text
 from qovr_app.state.editor_state import EditorState
@@ -21,6 +20,7 @@ from qovr_app.state.names import ZONE_TITLES
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import theme_of
+from qovr_app.widgets.clipboard import copy_table
 from qovr_app.widgets.parts import named, words
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
@@ -110,7 +110,7 @@ class InfluencePanel(LaboratoryPanel):
     def _copy(self) -> None:
         if self._moved is not None:
             what = change_text(self._moved.influence.change)
-            QGuiApplication.clipboard().setText(copied_text(what, *self._moved))
+            copy_table(copied_rows(what, *self._moved))
             self.tell(f"Copied the influence of {what}")
 
     def _on_map_hovered(self, place: tuple[float, float] | None) -> None:

@@ -77,12 +77,21 @@ class ThemeName(StrEnum):
     DARK = "dark"
 
 
+class MouseScheme(StrEnum):
+    """After which program's habits the middle and the right button of the mouse move the camera."""
+
+    RHINO = "rhino"
+    BLENDER = "blender"
+    CAD = "cad"
+
+
 @dataclass(frozen=True)
 class DisplaySettings:
     """Everything a user can choose about the picture, apart from the camera; ``replace`` makes the next
     one.
 
-    ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera.
+    ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera. ``always_fits``
+    lets axes and colours follow every edit, not only another document, formulation or layer.
     """
 
     layer: LayerChoice = LayerChoice.TRANSFORMED
@@ -106,3 +115,5 @@ class DisplaySettings:
     axes: bool = True
     colour_bar: bool = True
     probe: bool = False
+    always_fits: bool = False
+    mouse: MouseScheme = MouseScheme.BLENDER

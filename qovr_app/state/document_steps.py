@@ -13,6 +13,7 @@ from qovr_core import Document, Evaluation, EvaluationError, edits
 from qovr_core.edits import Place, value_at
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.knots import KnotPlace
+from qovr_core.symmetry import mirrored_values
 
 Edit = Callable[[Document], Document]
 
@@ -25,6 +26,9 @@ def values_edited(state: EditorState, intent: intents.ValuesEdited) -> EditorSta
                 state.document, place, curves=state.links_curves, directions=state.links_directions
             )
             wanted |= dict.fromkeys(linked, value)
+    before = state.document if state.is_live else state.draft
+    for direction in state.tools.symmetries:
+        wanted = mirrored_values(before, wanted, direction)
     text = edit_text(list(wanted))
     return edited(state, text, lambda document: edits.set_values(document, wanted), intent, intent.gesture)
 
@@ -95,6 +99,10 @@ def undone(state: EditorState, _intent: intents.Undone) -> EditorState:
 
 def redone(state: EditorState, _intent: intents.Redone) -> EditorState:
     return _arrived(state, state.history.redone())
+
+
+def went_to(state: EditorState, intent: intents.WentTo) -> EditorState:
+    return _arrived(state, state.history.gone_to(intent.index))
 
 
 def live_switched(state: EditorState, intent: intents.LiveSwitched) -> EditorState:

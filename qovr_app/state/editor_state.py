@@ -32,6 +32,12 @@ class Selection:
     last: NetIndex | None = None
     points: frozenset[NetIndex] = frozenset()
 
+    @property
+    def indices(self) -> tuple[NetIndex, ...]:
+        """The points in the net's order, after the one that was picked last."""
+        first = () if self.last is None else (self.last,)
+        return (*first, *sorted(self.points - {self.last}))
+
 
 @dataclass(frozen=True, eq=False)
 class Reference:
@@ -218,9 +224,11 @@ def _over_net(document: Document, of_net: Document) -> Document:
     return copy_zone(of_net, document, Zone.CONTROL_POINTS)
 
 
-def first_state(document: Document, file: DocumentFile, display: DisplaySettings) -> EditorState:
+def first_state(
+    document: Document, file: DocumentFile, display: DisplaySettings, tools: ToolSettings | None = None
+) -> EditorState:
     """Return the state with which a window begins, before its surface is configured."""
-    return EditorState(History(document), document, file, display=display)
+    return EditorState(History(document), document, file, display=display, tools=tools or ToolSettings())
 
 
 def with_message(state: EditorState, text: str, *, is_refusal: bool = False) -> EditorState:

@@ -1,6 +1,7 @@
 """What the user wants, as values: every intent makes the next state in ``next_state``, or is refused there.
 
-Here are those of the document; ``looking_intents`` are those of what is looked at.
+Here are those of the document; ``point_intents`` are those of the selected control points,
+``looking_intents`` those of what is looked at.
 
 A ``Request`` is an intent that needs the world outside - a file, a dialog, the clipboard. The shell answers it, and the
 answer comes back as an intent.
@@ -127,6 +128,13 @@ class Undone(Intent):
 @dataclass(frozen=True)
 class Redone(Intent):
     """One step forward."""
+
+
+@dataclass(frozen=True)
+class WentTo(Intent):
+    """So many steps of the history are done."""
+
+    index: int
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,13 @@ from qovr_app.state import looking_intents
 from qovr_app.state.display import ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
 from qovr_app.state.looking_intents import Picking
-from qovr_core import Layer, QovrError
+from qovr_app.state.tools import can_be
+from qovr_core import DocumentError, Layer, QovrError
 from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, zone_of
 from qovr_core.fields import Field
 
-DRAG_HINT = "Drag: in the view plane. Hold X, Y or Z: along that axis. Esc: put the point back."
+DRAG_HINT = "Drag: up and down along z. Tap X, Y or Z: along that axis. Type a value. Esc: put the point back."
 
 
 def selected(state: EditorState, intent: looking_intents.Selected) -> EditorState:
@@ -50,6 +51,8 @@ def display_chosen(state: EditorState, intent: looking_intents.DisplayChosen) ->
 
 
 def tool_chosen(state: EditorState, intent: looking_intents.ToolChosen) -> EditorState:
+    if not can_be(intent.setting, intent.value):
+        raise DocumentError(f"the {intent.setting.replace('_', ' ')}", repr(intent.value), "a number above 0")
     changes: dict[str, Any] = {intent.setting: intent.value}
     return replace(state, tools=replace(state.tools, **changes))
 

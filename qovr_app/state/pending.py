@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 
-from qovr_app.state.typed import typed_number
+from qovr_app.state.typed_numbers import typed_number
 from qovr_core import Document, DocumentError, edits
 from qovr_core.edits import Place
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from enum import StrEnum
 from pathlib import Path
 from typing import Any
 
@@ -44,6 +45,11 @@ class ReloadAsked(Request):
 
 
 @dataclass(frozen=True)
+class SaveCopyAsked(Request):
+    """Save to another file that is asked for, and stay with the document's own."""
+
+
+@dataclass(frozen=True)
 class ExportAsked(Request):
     """Ask for a format and a file, and write the configured surface."""
 
@@ -60,16 +66,21 @@ class DrawingAsked(Request):
     Parameters
     ----------
     name : what is added to the document's name for that of the file
-    write : writes the drawing to a path, with the options of a figure
+    write : writes the drawing to a path, with the options of a figure, as a job
     """
 
     name: str
-    write: Callable[[Path, Any], None]
+    write: Callable[[Path, Any, Any], None]
 
 
 @dataclass(frozen=True)
 class CloseAsked(Request):
     """Close the window."""
+
+
+@dataclass(frozen=True)
+class QuitAsked(Request):
+    """Close every window."""
 
 
 @dataclass(frozen=True)
@@ -93,7 +104,9 @@ class CopyAsked(Request):
 
 @dataclass(frozen=True)
 class PasteAsked(Request):
-    """Paste the clipboard's block into the zone that has the keyboard."""
+    """Paste the clipboard's block into the zone that has the keyboard, or over the selected points."""
+
+    over_points: bool = False
 
 
 @dataclass(frozen=True)
@@ -110,9 +123,29 @@ class CameraAsked(Request):
     name: str
 
 
+class CameraStep(StrEnum):
+    """Where the camera can be sent that no direction names."""
+
+    BACK = "back"
+    FORWARD = "forward"
+    SELECTION = "selection"
+
+
+@dataclass(frozen=True)
+class CameraMoved(Request):
+    """Look from where one looked before, or after that again, or at the selected points from near."""
+
+    step: CameraStep
+
+
 @dataclass(frozen=True)
 class RangeAsked(Request):
     """Ask for the ends of a fixed range of colours."""
+
+
+@dataclass(frozen=True)
+class TransformAsked(Request):
+    """Ask by how much the selected points are moved, scaled and rotated."""
 
 
 @dataclass(frozen=True)
@@ -125,3 +158,18 @@ class FocusAsked(Request):
 @dataclass(frozen=True)
 class HelpAsked(Request):
     """Show the help beside the work."""
+
+
+@dataclass(frozen=True)
+class PaletteAsked(Request):
+    """Show all commands, to be found by a few letters."""
+
+
+@dataclass(frozen=True)
+class KeysAsked(Request):
+    """Show which command has which key."""
+
+
+@dataclass(frozen=True)
+class AboutAsked(Request):
+    """Show the versions of the program and of what it is built on."""

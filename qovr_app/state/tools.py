@@ -5,6 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from qovr_core import Document
+from qovr_core.checks import LARGEST_MAGNITUDE
+from qovr_core.geometry.knots import Direction
+from qovr_core.number_texts import natural_step
+
+_SIZES = ("snap_step", "soft_radius")
+
 
 class Way(StrEnum):
     """Along what a point moves that is dragged itself: its height, the view's plane, or the surface's normal."""
@@ -37,3 +44,19 @@ class ToolSettings:
     symmetry_rows: bool = False
     symmetry_columns: bool = False
     xray: bool = False
+
+    @property
+    def symmetries(self) -> tuple[Direction, ...]:
+        """Across what moves are mirrored."""
+        chosen = {Direction.ROWS: self.symmetry_rows, Direction.COLUMNS: self.symmetry_columns}
+        return tuple(direction for direction, is_on in chosen.items() if is_on)
+
+
+def nudge_step(tools: ToolSettings, document: Document) -> float:
+    """Return by how much a nudge moves: the step that drags keep to, or what means something in the net's size."""
+    return tools.snap_step if tools.snaps else natural_step(0.0, document.net_size)
+
+
+def can_be(setting: str, value: object) -> bool:
+    """Return whether a setting can have a value: a step and a radius are above 0 and have an end."""
+    return setting not in _SIZES or (isinstance(value, float) and 0 < value <= LARGEST_MAGNITUDE)

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Generator
 from functools import partial
+from typing import Any
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QImage, QOffscreenSurface, QOpenGLContext
@@ -15,6 +17,7 @@ from qovr_app.view3d import failures
 from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl import figure as gl_figure
 from qovr_app.view3d.gl.buffer import smooth_edges
+from qovr_app.view3d.gl.figure import Tile
 from qovr_app.view3d.gl.layer import ImageLayer
 from qovr_app.view3d.gl.support import gl_support, viewport_format
 from qovr_app.view3d.gl.surface_item import SurfaceItem
@@ -23,6 +26,8 @@ from qovr_app.view3d.painter.backdrop import backdrop_key, draw_backdrop
 from qovr_app.view3d.painter.overlay import draw_overlay
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.work.gui_calls import InGui
+from qovr_core.files.progress import Progress
 
 
 class GlViewport(QOpenGLWidget):
@@ -67,17 +72,38 @@ class GlViewport(QOpenGLWidget):
         """Return what is seen, freshly drawn."""
         return self.grabFramebuffer()
 
-    def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
+    def surface_image(
+        self, picture: Picture, size: Size, pixels: tuple[int, int], progress: Progress, in_gui: InGui
+    ) -> QImage:
         """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""
         if self.isValid() and not self._broken:
-            self.makeCurrent()
             try:
-                return gl_figure.surface_image(picture, size, pixels)
+                return self._tiled(gl_figure.surface_tiles(picture, size, pixels), pixels, progress, in_gui)
             except Exception as error:  # the figure is still made, by the painter
-                self._fail(error, "drawing a figure")
-            finally:
-                self.doneCurrent()
+                failure = error
+                in_gui(lambda: self._fail(failure, "drawing a figure"))
         return painter_surface.surface_image(picture, size, pixels)
+
+    def _tiled(
+        self, tiles: Generator[Tile, None, None], pixels: tuple[int, int], progress: Progress, in_gui: InGui
+    ) -> QImage:
+        """Return the image that tiles make: between two of them the GUI thread does other things."""
+        result, count = blank_image(pixels, 1.0), gl_figure.tile_count(pixels)
+        try:
+            with painting(result) as painter:
+                for k in range(count):
+                    painter.drawImage(*in_gui(lambda: self._with_context(lambda: next(tiles))))
+                    progress((k + 1) / count)
+        finally:
+            in_gui(lambda: self._with_context(tiles.close))
+        return result
+
+    def _with_context(self, call: Callable[[], Any]) -> Any:
+        self.makeCurrent()
+        try:
+            return call()
+        finally:
+            self.doneCurrent()
 
     def initializeGL(self) -> None:
         """Begin with a new context, which knows nothing of what an earlier one was given."""

@@ -14,6 +14,8 @@ from qovr_app.view3d.painter.overlay import draw_overlay
 from qovr_app.view3d.painter.surface import paint_surface, surface_image
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.work.gui_calls import InGui
+from qovr_core.files.progress import Progress
 
 
 class PainterViewport(QWidget):
@@ -54,7 +56,9 @@ class PainterViewport(QWidget):
             draw_overlay(painter, picture, size)
         return image
 
-    def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
+    def surface_image(
+        self, picture: Picture, size: Size, pixels: tuple[int, int], _progress: Progress, _in_gui: InGui
+    ) -> QImage:
         """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""
         return surface_image(picture, size, pixels)
 

@@ -6,21 +6,21 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from PySide6.QtCore import QSize, Signal
+import numpy as np
+from PySide6.QtCore import QPoint, QPointF, QSize, Signal
 from PySide6.QtGui import QImage, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.display import Projection
 from qovr_app.state.figure_options import FigureOptions
 from qovr_app.style.theme import theme_of
-from qovr_app.view3d.figure.figure import save_figure
-from qovr_app.view3d.images import figure_panel, view_image
+from qovr_app.view3d.images import FigureWriter, figure_writer, view_image
 from qovr_app.view3d.interaction.camera_motion import CameraMotion
 from qovr_app.view3d.interaction.interactor import Interactor
 from qovr_app.view3d.interaction.pointer import Pointer
 from qovr_app.view3d.interaction.refinement import Refinement
 from qovr_app.view3d.painter.readout import readout_text
-from qovr_app.view3d.scene.camera import Camera, fitted, named_view
+from qovr_app.view3d.scene.camera import Camera, fitted, looking_at, named_view
 from qovr_app.view3d.scene.frame import HALF_EXTENTS
 from qovr_app.view3d.scene.picture import Picture, margins
 from qovr_app.view3d.scene.probing import reading_at
@@ -28,8 +28,9 @@ from qovr_app.view3d.scene.scenes import Scenes
 from qovr_app.view3d.scene.shown import Shown
 from qovr_app.view3d.viewport import Viewport
 from qovr_app.view3d.viewports import Viewports
-from qovr_core import FileError
+from qovr_app.work.gui_calls import here
 from qovr_core.fields import Range
+from qovr_core.files.progress import silent
 
 
 class View3D(QWidget):
@@ -39,15 +40,24 @@ class View3D(QWidget):
 
     Signals
     -------
-    point_selected : (i, j) or None
-    point_dragged : i, j, the wanted coordinates (3,) float64, and the drag's gesture number
+    points_picked : control points (i, j), the one picked last at the end, and what they do to the selection, a Picking
+    points_dragged : the points (i, j), how far each is from where it was when the drag began, (k, 3) float64 in the
+        document's units, and the drag's gesture number
+    point_opened : the control point (i, j) whose fields are wanted
+    menu_asked : a MenuWish, and the place of the screen
+    radius_turned : by how many notches the wheel went while points were dragged softly
+    said : a sentence for the user
     drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
     fell_back : once, why OpenGL is not used
     frame_painted : a frame has reached the window
     """
 
-    point_selected = Signal(object)
-    point_dragged = Signal(int, int, object, int)
+    points_picked = Signal(object, object)
+    points_dragged = Signal(object, object, int)
+    point_opened = Signal(object)
+    menu_asked = Signal(object, QPoint)
+    radius_turned = Signal(float)
+    said = Signal(str)
     drag_finished = Signal(int)
     drag_cancelled = Signal(int)
     fell_back = Signal(str)
@@ -93,9 +103,9 @@ class View3D(QWidget):
         """The viewports in use, from left to right."""
         return list(self._viewports.in_use)
 
-    def picture(self, viewport: int = 0) -> Picture | None:
-        """Return what a viewport shows; None where there is no surface yet."""
-        shown, scene = self._shown, self._scenes.scene(viewport)
+    def picture(self, viewport: int = 0, scenes: Scenes | None = None) -> Picture | None:
+        """Return what a viewport shows, or would show of other scenes; None where there is no surface yet."""
+        shown, scene = self._shown, (scenes or self._scenes).scene(viewport)
         if scene is None:
             return None
         return Picture(
@@ -108,13 +118,15 @@ class View3D(QWidget):
             moving=self._refinement.is_moving,
             probed=None if self._pointer.reading is None else self._pointer.reading[1],
             caption=scene.caption if shown.viewports > 1 else "",
+            tools=shown.tools,
+            hand=self._viewports.hand(viewport),
         )
 
     def display(self, shown: Shown) -> None:
         """Show this from now on. The camera stays where it is."""
         before, self._shown = self._shown, shown
-        if before.dragging > shown.dragging and self._viewports.is_dragging:
-            self.drop_drags()
+        if not shown.dragging and before.net is not shown.net:
+            self._viewports.drop_drags()  # what is pressed there is no longer what it was
         self._scenes.update(shown)
         if before.viewports != shown.viewports:
             self._viewports.arrange(shown.viewports)
@@ -124,10 +136,6 @@ class View3D(QWidget):
             self._refinement.move()
         elif shown.differs_visibly(before):
             self._show()
-
-    def drop_drags(self) -> None:
-        """Let go of what is pressed or dragged: it is no longer there."""
-        self._viewports.drop_drags()
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
@@ -147,7 +155,7 @@ class View3D(QWidget):
     # The camera
 
     def set_camera(self, name: str, *, animated: bool = True) -> None:
-        """Look from a named direction, ``paper``, ``top``, ``front`` or ``right``, at the whole surface.
+        """Look from a direction of ``qovr_core.cameras.NAMED_VIEWS`` at the whole surface.
 
         Raises
         ------
@@ -155,9 +163,16 @@ class View3D(QWidget):
         """
         self.camera_motion.lead(named_view(name, self.camera), animated=animated and self.isVisible())
 
-    def fit(self, *, animated: bool = True) -> None:
-        """Show the whole surface from where the camera looks now."""
-        self.camera_motion.lead(self.camera, animated=animated and self.isVisible())
+    def fit(self, *, selection: bool = False, animated: bool = True) -> None:
+        """Show the whole surface, in limits of its own, or the selected points from near, in the camera's direction."""
+        picture, is_animated = self.picture(), animated and self.isVisible()
+        if selection and picture is not None and picture.selected:
+            i, j = np.array(sorted(picture.selected)).T
+            self.camera_motion.lead_to(looking_at(self.camera, picture.scene.points[i, j]), animated=is_animated)
+            return
+        self._scenes.take_limits()
+        self._refinement.move()
+        self.camera_motion.lead(self.camera, animated=is_animated)
 
     def _fitted(self, camera: Camera) -> Camera:
         scene, size = self._scenes.scene(0), self.viewports[0].logical_size
@@ -186,18 +201,24 @@ class View3D(QWidget):
     def save_figure(self, path: str | Path, options: FigureOptions | None = None) -> None:
         """Write what is seen as PNG, SVG or PDF, by the path's suffix.
 
+        Axes and colours have the limits of what is in the figure.
+
         Raises
         ------
         qovr_core.FileError : the suffix is another one, or the file cannot be written; nothing is left behind
         """
+        self.figure_writer()(Path(path), options or FigureOptions(), silent, here)
+
+    def figure_writer(self) -> FigureWriter:
+        """Return what writes as a figure what is seen now, from whatever thread."""
         if not self.isVisible():
             self._lay_out()
-        pictures = [self.picture(k) for k in range(len(self.viewports))]
+        fitting = Scenes()
+        fitting.update(self._shown)
+        pictures = [self.picture(k, fitting) for k in range(len(self.viewports))]
         seen = zip(self.viewports, pictures, strict=True)
-        panels = [figure_panel(viewport, picture) for viewport, picture in seen if picture is not None]
-        if not panels:
-            raise FileError(f"{path}: there is no surface to draw; configure one first")
-        save_figure(Path(path), panels, options or FigureOptions(), refit=self.camera_motion.is_fitted)
+        drawn = [(viewport, picture) for viewport, picture in seen if picture is not None]
+        return figure_writer(drawn, refit=self.camera_motion.is_fitted)
 
     # Intents
 
@@ -205,8 +226,16 @@ class View3D(QWidget):
         """Take the intents of a new viewport's interactor."""
         self._pointer.follow(interactor, number)
         interactor.camera_requested.connect(self.camera_motion.move)
-        interactor.selected.connect(self.point_selected)
-        interactor.dragger.dragged.connect(self.point_dragged)
+        interactor.changed.connect(self._show)
+        interactor.said.connect(self.said)
+        interactor.radius_turned.connect(self.radius_turned)
+        interactor.mouse.picked.connect(self.points_picked)
+        interactor.mouse.opened.connect(self.point_opened)
+        widget = interactor.widget
+        interactor.mouse.menu_asked.connect(
+            lambda wish: self.menu_asked.emit(wish, widget.mapToGlobal(QPointF(*wish.at)).toPoint())
+        )
+        interactor.dragger.dragged.connect(self.points_dragged)
         interactor.dragger.finished.connect(self.drag_finished)
         interactor.dragger.cancelled.connect(self.drag_cancelled)
 

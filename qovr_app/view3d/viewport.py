@@ -10,6 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.work.gui_calls import InGui
+from qovr_core.files.progress import Progress
 
 
 class Viewport(Protocol):
@@ -32,5 +34,10 @@ class Viewport(Protocol):
     def image(self) -> QImage:
         """Return what is seen, freshly drawn."""
 
-    def surface_image(self, picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
-        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels."""
+    def surface_image(
+        self, picture: Picture, size: Size, pixels: tuple[int, int], progress: Progress, in_gui: InGui
+    ) -> QImage:
+        """Return the surface alone on a transparent image; the picture laid out for ``size`` logical pixels.
+
+        Any thread may ask, with ``in_gui`` for what only the GUI thread can do.
+        """

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout, QWidget
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.interaction.interactor import Interactor
 from qovr_app.view3d.painter_viewport import PainterViewport
+from qovr_app.view3d.scene.hand import Hand
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.viewport import Viewport
 
@@ -58,6 +59,10 @@ class Viewports(QObject):
         """Those that are asked for, from left to right."""
         return self._made[: self._count]
 
+    def hand(self, number: int) -> Hand | None:
+        """Return what is seen of the mouse in a viewport; None where there is no such viewport yet."""
+        return self._interactors[number].hand if number < len(self._interactors) else None
+
     def arrange(self, count: int) -> None:
         """Have this many viewports in view."""
         self._count = count
@@ -76,12 +81,7 @@ class Viewports(QObject):
     def drop_drags(self) -> None:
         """Let go of what is pressed or dragged, without a word: whoever the drag was for has ended it."""
         for interactor in self._interactors:
-            interactor.dragger.drop()
-
-    @property
-    def is_dragging(self) -> bool:
-        """Whether a point is being moved in one of them."""
-        return any(interactor.dragger.is_dragging for interactor in self._interactors)
+            interactor.mouse.drop()
 
     def show(self) -> None:
         """Bring the pictures of the moment into the viewports."""

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, QSize, Qt
+from PySide6.QtCore import QEvent, QRectF, Qt
 from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
+from PySide6.QtWidgets import QWidget
 
-from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.cell import Marks, paint_cell
+from qovr_app.widgets.growing_line import LEAST_PADDING, PADDING, GrowingLine
+from qovr_app.widgets.plain import plain_tip
 from qovr_core.number_texts import fitted_text
 
-_PADDING = 4
-_HEIGHT_BEYOND_TEXT = 4
 
-
-class NumberCell(QLineEdit):
+class NumberCell(GrowingLine):
     """Shows a number with as many digits as fit, and paints its state behind it.
 
     Text that differs from that of the number is the field's own.
@@ -26,13 +24,8 @@ class NumberCell(QLineEdit):
         self._value, self._shown = 0.0, ""
         self._error = self._warning = self._tip = ""
         self._is_unset = self._is_idle = self._is_marked = False
-        self.setFrame(False)
         self.setAcceptDrops(False)  # a file dropped here is meant for the window
-        self.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.setTextMargins(_PADDING - 2, 0, _PADDING - 2, 0)
         self.setPalette(see_through(self.palette()))
-        self.setFont(number_font(self.font()))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
 
     # The number
 
@@ -90,19 +83,13 @@ class NumberCell(QLineEdit):
         parts = [self._error, self._warning, self._tip]
         if self.is_pending and not self._error:
             parts.insert(0, "Not set yet: Set writes it, Get brings the active value back.")
-        self.setToolTip("\n".join(part for part in parts if part))
-        self.setAccessibleDescription(self.toolTip())
+        said = [part for part in parts if part]
+        self.setToolTip(plain_tip("\n".join([self.text(), *said])))
+        self.setAccessibleDescription("\n".join(said))
+        self.fit()
         self.update()
 
     # Looks
-
-    def sizeHint(self) -> QSize:
-        metrics = self.fontMetrics()
-        return QSize(metrics.horizontalAdvance("0.0000") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
-
-    def minimumSizeHint(self) -> QSize:
-        metrics = self.fontMetrics()
-        return QSize(metrics.horizontalAdvance("0.00") + 2 * _PADDING + 2, metrics.height() + _HEIGHT_BEYOND_TEXT)
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
@@ -133,17 +120,17 @@ class NumberCell(QLineEdit):
 
     def _paint_text(self) -> None:
         colours, painter = theme_in_force(), QPainter(self)
-        room = self.width() - 2 * _PADDING
-        metrics = self.fontMetrics()
-        text = self.text()
+        metrics, text = self.fontMetrics(), self.text()
+        padding = PADDING if metrics.horizontalAdvance(text) <= self.width() - 2 * PADDING else LEAST_PADDING
+        room = self.width() - 2 * padding
         if not self.has_own_text:
             text = fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room)
-        elif metrics.horizontalAdvance(text) > room:
+        if metrics.horizontalAdvance(text) > room:
             text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
         painter.setFont(self.font())
         painter.setPen(QColor(*(colours.idle_ink if self._is_idle and not self.is_pending else colours.ink)))
         painter.drawText(
-            self.rect().adjusted(_PADDING, 0, -_PADDING, 0),
+            self.rect().adjusted(padding, 0, -padding, 0),
             Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter,
             text,
         )

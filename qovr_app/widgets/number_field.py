@@ -7,21 +7,23 @@ from collections.abc import Callable
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import (
     QFocusEvent,
-    QGuiApplication,
     QKeyEvent,
     QKeySequence,
     QMouseEvent,
+    QWheelEvent,
 )
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.typed import is_block, typed_number
+from qovr_app.state.typed import is_block
+from qovr_app.state.typed_numbers import trimmed, typed_value
 from qovr_app.widgets.bursts import Bursts
+from qovr_app.widgets.clipboard import pasted_cells
 from qovr_app.widgets.number_cell import NumberCell
 from qovr_core import QovrError
-from qovr_core.number_texts import number_text
+from qovr_core.number_texts import number_text, stepped
 
-_STEP_DECIMALS = 12
-"""A step is rounded to this many decimals, so that 0.1 + 0.2 is 0.3."""
+_NOTCH = 120
+"""What Qt counts for one notch of a wheel; trackpads and fine wheels send parts of it."""
 
 _STEPS: dict[int, float] = {
     Qt.Key.Key_Up: 1.0,
@@ -41,7 +43,7 @@ class NumberField(NumberCell):
     ----------
     name : what messages call the field
     check : returns a typed value as the number it is, or raises a QovrError; its arguments are value and name
-    step : by how much the arrow keys change the number
+    step : by how much an arrow key changes a number, which may depend on how large it is
 
     Signals
     -------
@@ -49,21 +51,26 @@ class NumberField(NumberCell):
     refused : why the text is no number for this field; empty when a refusal no longer holds
     text_owned : whether the field has text of its own has changed
     focused : the field has the keyboard now
-    block_pasted : a spreadsheet's text of several cells
+    block_pasted : several cells are on the clipboard, and were pasted here
     """
 
     value_edited = Signal(float, int)
     refused = Signal(str)
     text_owned = Signal()
     focused = Signal()
-    block_pasted = Signal(str)
+    block_pasted = Signal()
 
     def __init__(
-        self, name: str, check: Callable[[object, str], float], step: float, parent: QWidget | None = None
+        self,
+        name: str,
+        check: Callable[[object, str], float],
+        step: Callable[[float], float],
+        parent: QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self._name, self._check, self._step_size = name, check, step
         self._bursts = Bursts(self)
+        self._turned = 0
         self._selects_on_release = False
         self.textChanged.connect(self._on_text_changed)
         self.editingFinished.connect(self.commit)
@@ -92,7 +99,7 @@ class NumberField(NumberCell):
         if not self.has_own_text:
             return self._value
         try:
-            return self._check(typed_number(self.text()), self._name)
+            return typed_value(self.text(), self._name, self._check, self._value)
         except QovrError as error:
             self._error = str(error)
             self._refresh()
@@ -155,21 +162,45 @@ class NumberField(NumberCell):
         elif event.key() == Qt.Key.Key_Escape and self.has_own_text:
             self.revert()
             self.selectAll()
-        elif event.matches(QKeySequence.StandardKey.Paste) and is_block(QGuiApplication.clipboard().text()):
-            self.block_pasted.emit(QGuiApplication.clipboard().text())
+        elif event.matches(QKeySequence.StandardKey.Paste):
+            self.paste()
         else:
             super().keyPressEvent(event)
 
+    def paste(self) -> None:
+        """Paste a number in full, whatever of it the table shows; several cells are for whoever has their places."""
+        try:
+            cells = pasted_cells()
+        except QovrError as error:
+            self.refused.emit(str(error))
+            return
+        if is_block(cells):
+            self.block_pasted.emit()
+        elif cells and cells[0]:
+            cell = cells[0][0]
+            self.insert(trimmed(cell) if isinstance(cell, str) else number_text(cell))
+
     def _step(self, count: float) -> None:
         try:
-            stepped = round(self.typed() + count * self._step_size, _STEP_DECIMALS)
-            value = self._check(stepped, self._name)
+            before = self.typed()
+            value = self._check(stepped(before, count, self._step_size(before)), self._name)
         except QovrError as error:
             self.refused.emit(str(error))
             return
         self._put(value)
         self.selectAll()
         self.value_edited.emit(value, self._bursts.step())
+
+    def wheelEvent(self, event: QWheelEvent) -> None:
+        """Step while the field has the keyboard; else the wheel is for what scrolls around it."""
+        if not self.hasFocus() or event.modifiers():
+            event.ignore()
+            return
+        self._turned += event.angleDelta().y()
+        count = int(self._turned / _NOTCH)
+        self._turned -= count * _NOTCH
+        if count:
+            self._step(count)
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         super().mouseReleaseEvent(event)

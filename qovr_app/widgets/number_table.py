@@ -9,9 +9,10 @@ from PySide6.QtWidgets import QAbstractButton, QHeaderView, QLabel, QStyledItemD
 
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.arrays import Array
-from qovr_core.number_texts import block_text, number_text
+from qovr_core.number_texts import fitted_text, number_text
 
 _MOST_DIGITS = 6
 _FEWEST_DIGITS = 3
@@ -40,6 +41,7 @@ class _FittingDelegate(QStyledItemDelegate):
             option.text = f"{value:.{digits}g}"
             if option.fontMetrics.horizontalAdvance(option.text) <= room:
                 return
+        option.text = fitted_text(value, lambda text: option.fontMetrics.horizontalAdvance(text) <= room)
 
 
 class NumberTable(QuietTable):
@@ -92,12 +94,12 @@ class NumberTable(QuietTable):
         self._delegate.is_quiet = is_quiet
         self.viewport().update()
 
-    def text_to_copy(self) -> str:
-        """Return what is selected, or all, as a spreadsheet takes it."""
+    def rows_to_copy(self) -> Rows:
+        """Return what is selected, or all, with every digit."""
         chosen = {(index.row(), index.column()) for index in self.selectedIndexes()}
         rows = sorted({r for r, _ in chosen}) or range(self.rowCount())
         columns = sorted({c for _, c in chosen}) or range(self.columnCount())
-        return block_text([[self._numbers[r, c] for c in columns] for r in rows])
+        return [[float(self._numbers[r, c]) for c in columns] for r in rows]
 
     def minimumSizeHint(self) -> QSize:
         return QSize(160, self._content_height())

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.plain import plain_label
 
 W = TypeVar("W", bound=QWidget)
 
@@ -67,6 +68,13 @@ class Note(QLabel):
         )
         self.setVisible(False)
 
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.PaletteChange:
+            text = self.text()  # links keep the colour in which they were read
+            self.clear()
+            self.setText(text)
+
     def say(self, html: str) -> None:
         """Show a text; an empty one takes the note away."""
         if html != self.text():
@@ -83,8 +91,8 @@ def named(widget: W, name: str, spoken: str = "") -> W:
 
 
 def words(name: str, parent: QWidget | None = None) -> QLabel:
-    """Return a label that breaks lines, under a name."""
-    result = named(QLabel(parent), name)
+    """Return a label that breaks lines and takes no text for markup, under a name."""
+    result = named(plain_label("", parent), name)
     result.setWordWrap(True)
     return result
 

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QGuiApplication, QKeyEvent, QKeySequence
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QAbstractItemView, QFrame, QTableWidget, QTableWidgetItem, QWidget
+
+from qovr_app.widgets.clipboard import Rows, copy_table
 
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 """Where numbers stand in a cell."""
@@ -43,15 +45,14 @@ class QuietTable(QTableWidget):
             self.setHorizontalHeaderItem(column, item)
         return item
 
-    def text_to_copy(self) -> str | None:
-        """Return what is copied of what is selected; None where nothing can be."""
-        return None
+    def rows_to_copy(self) -> Rows:
+        """Return what is copied of what is selected; nothing where nothing can be."""
+        return []
 
     def copy(self) -> None:
         """Copy what is selected."""
-        text = self.text_to_copy()
-        if text is not None:
-            QGuiApplication.clipboard().setText(text)
+        if rows := self.rows_to_copy():
+            copy_table(rows)
 
     def style_headers(self) -> None:
         """Style the headers in the theme in force; what a style sheet has drawn once keeps its colours."""

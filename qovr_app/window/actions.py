@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
+from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.store import Store
+from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.commands import Command
 
 
@@ -28,6 +30,10 @@ class Actions(QObject):
         """Return the actions whose names begin so, in the table's order."""
         return [action for name, action in self._actions.items() if name.startswith(prefix)]
 
+    def give_single_keys(self, widget: QWidget) -> None:
+        """Let shortcuts of a single key act while a widget, or a part of it, has the keyboard."""
+        widget.addActions([action for action in self._actions.values() if is_single_key(action.shortcut())])
+
     def show_state(self, _before: EditorState | None, state: EditorState) -> None:
         """Bring check marks, enabled and the texts that say a noun to a state."""
         for command in self.commands:
@@ -43,6 +49,8 @@ class Actions(QObject):
         action.setObjectName(command.name)
         if command.shortcut is not None:
             action.setShortcut(QKeySequence(command.shortcut))
+            if is_single_key(action.shortcut()):
+                action.setShortcutContext(Qt.ShortcutContext.WidgetWithChildrenShortcut)
         tip = command.tip or command.text.replace("&", "").rstrip(".…")
         action.setStatusTip(tip)
         action.setToolTip(tip)
@@ -58,9 +66,15 @@ class Actions(QObject):
         self.show_state(None, self._store.state)
 
 
+def is_single_key(keys: QKeySequence) -> bool:
+    """Return whether a shortcut is what typing a text could be: such a key acts only with the keyboard in the view."""
+    text = keys.toString(QKeySequence.SequenceFormat.PortableText).removeprefix("Shift+")
+    return len(text) == 1
+
+
 def _name(action: QAction, verb: str, noun: str) -> None:
-    text = f"{verb} {noun}".strip()
+    text = f"{verb} {menu_text(noun)}".strip()
     if action.text() != text:
         action.setText(text)
-        action.setToolTip(text.replace("&", ""))
+        action.setToolTip(plain_tip(f"{verb.replace('&', '')} {noun}".strip()))
         action.setIconText(verb.replace("&", ""))

@@ -28,6 +28,7 @@ from qovr_app.window.sources import (
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
 from qovr_core.files import source_suffixes
+from qovr_core.files.sources import local_path
 
 
 class DocumentShell:
@@ -50,6 +51,7 @@ class DocumentShell:
             requests.DocumentAsked: self._open_document,
             requests.ReloadAsked: self._reload,
             requests.SaveAsked: self._save,
+            requests.SaveCopyAsked: self._save_copy,
             requests.RecentCleared: lambda _asked: folder.clear_recent(),
         }
 
@@ -75,7 +77,7 @@ class DocumentShell:
         if opened is None:
             return
         if not opened.preset:
-            self._folder.note_document(Path(request.source))
+            self._folder.note_document(Path(local_path(request.source)))
         self._take(opened)
 
     def _read(self, source: str) -> Opened | None:
@@ -123,6 +125,19 @@ class DocumentShell:
         elif not self._may_write_over(path):
             return False
         return path is not None and self._save_to(path)
+
+    def _save_copy(self, _request: requests.SaveCopyAsked) -> None:
+        """Write the document, with what is just being typed, to a file that is asked for, and stay with its own."""
+        self._commit_typed()
+        path = self._asked_path()
+        if path is None:
+            return
+        try:
+            patiently(self._window, f"Saving {path.name}…", written_document, self._state.document, path)
+        except QovrError as error:
+            self._refuse(error)
+        else:
+            self._say(f"Saved a copy as {path.name}.")
 
     def may_leave(self) -> bool:
         """Ask about what is not saved, typed numbers included; return whether the document may go."""

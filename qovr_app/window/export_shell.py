@@ -8,20 +8,15 @@ from pathlib import Path
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.dialogs.export_dialog import ExportDialog
-from qovr_app.dialogs.figure_dialog import FigureDialog
+from qovr_app.dialogs.figure_dialog import FigureDialog, FigureWriter
 from qovr_app.state import requests
-from qovr_app.state.figure_options import FigureOptions
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.store import Store
 from qovr_app.window.folder import Folder
 from qovr_app.window.preferences import Preferences
 from qovr_app.window.shell import Answers
 from qovr_app.work.worker import Worker
-from qovr_core import QovrError
 from qovr_core.files import ExportOptions
-
-FigureWriter = Callable[[Path, FigureOptions], None]
-"""Writes a figure of these options into a file, or raises QovrError."""
 
 
 class ExportShell:
@@ -31,7 +26,7 @@ class ExportShell:
     ----------
     worker : in which an export is done
     preferences : where the conventions of the last export are remembered; None where nothing is
-    save_view : writes what the 3D view shows
+    view_writer : gives what writes the 3D view as it is then
     commit_typed : takes what is just being typed, as leaving the field would
     """
 
@@ -43,13 +38,13 @@ class ExportShell:
         worker: Worker,
         preferences: Preferences | None,
         *,
-        save_view: FigureWriter,
+        view_writer: Callable[[], FigureWriter],
         commit_typed: Callable[[], None],
     ) -> None:
         self._store, self._window, self._folder, self._worker = store, window, folder, worker
         self._preferences = preferences
         self._conventions = preferences.conventions if preferences else ExportOptions()
-        self._save_view, self._commit_typed = save_view, commit_typed
+        self._view_writer, self._commit_typed = view_writer, commit_typed
         self.answers: Answers = {
             requests.ExportAsked: self._export,
             requests.FigureAsked: self._save_figure,
@@ -65,7 +60,7 @@ class ExportShell:
             return
         document, first = self._store.state.document, self._conventions
         dialog = ExportDialog(document, self._stem, self._worker, first, self._window)
-        dialog.exported.connect(lambda path: self._on_exported(path, dialog.conventions))
+        dialog.written.connect(lambda path: self._on_exported(path, dialog.conventions))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
@@ -77,7 +72,7 @@ class ExportShell:
 
     def _save_figure(self, _request: requests.FigureAsked) -> None:
         """Ask how large and where, and write what is seen in the 3D view."""
-        self._ask_for_figure("", "only the surface is pixels", self._save_view)
+        self._ask_for_figure("", "only the surface is pixels", self._view_writer())
 
     def _save_drawing(self, request: requests.DrawingAsked) -> None:
         """Ask how large and where, and let a drawing be written."""
@@ -85,18 +80,10 @@ class ExportShell:
 
     def _ask_for_figure(self, addition: str, vectors: str, write: FigureWriter) -> None:
         first = self._stem.with_name(f"{self._stem.name}{addition}.png")
-        dialog = FigureDialog(first, vectors, self._window)
-        dialog.accepted.connect(lambda: self._write_figure(dialog, write))
+        dialog = FigureDialog(first, vectors, write, self._worker, self._window)
+        dialog.written.connect(self._on_written)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
-
-    def _write_figure(self, dialog: FigureDialog, write: FigureWriter) -> None:
-        try:
-            write(dialog.path, dialog.options)
-        except QovrError as error:
-            self._say(f"{error}.", is_refusal=True)
-            return
-        self._on_written(dialog.path)
 
     def _on_written(self, path: Path) -> None:
         self._folder.note_written(path)

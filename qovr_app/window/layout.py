@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QByteArray, Qt
-from PySide6.QtWidgets import QApplication, QSizePolicy, QToolBar, QVBoxLayout, QWidget
+from PySide6.QtCore import QByteArray, QSize, Qt
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QSizePolicy, QToolBar, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.dock import LaboratoryDock
 from qovr_app.state.editor_state import EditorState
@@ -22,7 +23,12 @@ from qovr_core.geometry.knots import Direction
 _LEFT, _MIDDLE = 264, 364
 """First widths of the two columns: as narrow as four digits stay readable, which leaves the view half of 1280."""
 
+_STACKED_BELOW = 2 * (_LEFT + _MIDDLE) - _LEFT // 2
+"""Where two columns would leave the view much less than half, the zones stand in one."""
+
 _LOWER = 260
+_LEAST_VIEW = 240
+"""Narrower, a picture of the surface says nothing."""
 
 _VIEW, _LABORATORY = 4000, 330
 """First heights on the view's side: the laboratory keeps its own, and the view gets what is left."""
@@ -85,6 +91,8 @@ class Layout(LineSplitter):
             self.view_frame.focus_view()
         else:
             self._zones[name].focus_first()
+            if (focused := QApplication.focusWidget()) is not None and self._area.isAncestorOf(focused):
+                self._area.ensureWidgetVisible(focused)
 
     def layout_states(self) -> dict[str, QByteArray]:
         """Return the states of all splitters by name."""
@@ -94,17 +102,44 @@ class Layout(LineSplitter):
         """Bring a splitter into a state it had."""
         self._splitters[name].restoreState(state)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if self._splitters["columns"].orientation() != self._orientation:
+            self._turn_columns()
+
+    @property
+    def _orientation(self) -> Qt.Orientation:
+        """Whether the columns of zones stand beside or below each other."""
+        return Qt.Orientation.Vertical if self.width() < _STACKED_BELOW else Qt.Orientation.Horizontal
+
+    def _turn_columns(self) -> None:
+        """Bring the columns beside or below each other; below, every zone has its whole height, and they scroll."""
+        is_stacked = self._orientation == Qt.Orientation.Vertical
+        columns, policy = self._splitters["columns"], QSizePolicy.Policy
+        columns.setOrientation(self._orientation)
+        for zone in self._zones.values():
+            zone.setSizePolicy(policy.Preferred, policy.Minimum if is_stacked else policy.Preferred)
+        columns.setSizes([_MIDDLE, _MIDDLE] if is_stacked else [_LEFT, _MIDDLE])
+        for name in ("left", "middle"):
+            self._splitters[name].setSizes([self.points.sizeHint().height(), _LOWER])
+        needed = max(columns.minimumSizeHint().width(), _MIDDLE if is_stacked else _LEFT + _MIDDLE)
+        width = needed + self._area.verticalScrollBar().sizeHint().width() * is_stacked
+        self.setSizes([width, max(self.width() - width, width)])
+
     def _arrange(self) -> None:
         left = self._column("left", self.rows, self.columns)
         middle = self._column("middle", self.points, self.surface)
         inner = self._splitter("columns", Qt.Orientation.Horizontal, left, middle)
         inner.setSizes([_LEFT, _MIDDLE])
         inner.setStretchFactor(1, 1)
+        self._area = _ZonesArea(inner, self._zones_side)
         outer = self._splitter("laboratory", Qt.Orientation.Vertical, self.view_frame, self.laboratory)
         outer.setChildrenCollapsible(False)
         outer.setSizes([_VIEW, _LABORATORY])
         outer.setStretchFactor(0, 1)
-        self._sides = [_side(side, content) for side, content in ((self._zones_side, inner), (self._view_side, outer))]
+        sides = (self._zones_side, self._area), (self._view_side, outer)
+        self._sides = [_side(side, content) for side, content in sides]
+        self._view_side.setMinimumWidth(_LEAST_VIEW)
         self.addWidget(self._zones_side)
         self.addWidget(self._view_side)
         self.setCollapsible(1, False)
@@ -123,6 +158,26 @@ class Layout(LineSplitter):
             splitter.addWidget(part)
         self._splitters[name] = splitter
         return splitter
+
+
+class _ZonesArea(QScrollArea):
+    """Lets the zones scroll where the window is low or narrow."""
+
+    def __init__(self, zones: QWidget, parent: QWidget) -> None:
+        super().__init__(parent)
+        self._content = zones
+        self.setWidget(zones)
+        self.setObjectName("zones")
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setWidgetResizable(True)
+        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(_LEFT, _LOWER)
+
+    def sizeHint(self) -> QSize:
+        """Return the size of the zones, not Qt's guess."""
+        return self._content.sizeHint()
 
 
 def _side(side: QWidget, content: QWidget) -> QVBoxLayout:

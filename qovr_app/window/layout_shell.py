@@ -6,10 +6,12 @@ import math
 
 from PySide6.QtWidgets import QDialog, QWidget
 
-from qovr_app.dialogs.help_dialog import HelpDialog
 from qovr_app.dialogs.range_dialog import RangeDialog
+from qovr_app.dialogs.transform_dialog import TransformDialog
 from qovr_app.state import requests
 from qovr_app.state.looking_intents import RangeFixed
+from qovr_app.state.names import points_text
+from qovr_app.state.point_intents import PointsEdited
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
@@ -21,16 +23,16 @@ class LayoutShell:
 
     def __init__(self, store: Store, layout: Layout, window: QWidget) -> None:
         self._store, self._layout, self._window = store, layout, window
-        self._help: HelpDialog | None = None
-        clipboard = Clipboard(layout, layout.view_frame.probe_text, store.dispatch)
+        clipboard = Clipboard(layout, layout.view_frame.probe_text, store)
         self.answers: Answers = {
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,
+            requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
+            requests.TransformAsked: self._ask_transform,
             requests.ZoneButtonPressed: self._press_zone_button,
             requests.FocusAsked: lambda asked: layout.focus_part(asked.part),
-            requests.HelpAsked: self._show_help,
             requests.CloseAsked: lambda _asked: window.close(),
         }
 
@@ -44,15 +46,18 @@ class LayoutShell:
             self._store.dispatch(RangeFixed(*dialog.limits))
         dialog.deleteLater()
 
+    def _ask_transform(self, _request: requests.TransformAsked) -> None:
+        """Ask by how much the points that are selected now are to be moved; the window waits."""
+        state = self._store.state
+        indices = state.selection.indices
+        dialog = TransformDialog(points_text(indices), state.document.net_size, self._window)
+        dialog.accepted.connect(lambda: self._store.dispatch(PointsEdited(dialog.edit, indices)))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
     def _press_zone_button(self, request: requests.ZoneButtonPressed) -> None:
         zone = self._layout.current_zone()
         if request.is_set:
             zone.set_values()
         else:
             zone.get_values()
-
-    def _show_help(self, _request: requests.HelpAsked) -> None:
-        if self._help is None:
-            self._help = HelpDialog(self._window)
-        self._help.show()
-        self._help.raise_()

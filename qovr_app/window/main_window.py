@@ -5,22 +5,26 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QByteArray, QEvent, QSize, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDropEvent
+from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
 from qovr_app.state.intents import Configured, Opened
 from qovr_app.state.looking_intents import DisplayChosen, MessageShown
-from qovr_app.state.requests import SourceAsked
 from qovr_app.store import Store
-from qovr_app.style.palette import theme_in_force
+from qovr_app.style.palette import set_theme, theme_in_force
+from qovr_app.widgets.plain import title_text
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
+from qovr_app.window.context_menus import show_context_menu
 from qovr_app.window.document_shell import DocumentShell
+from qovr_app.window.drops import dropped_sources, open_each, take
 from qovr_app.window.export_shell import ExportShell
 from qovr_app.window.folder import Folder
+from qovr_app.window.help_shell import HelpShell
+from qovr_app.window.history_menu import HistoryMenu
 from qovr_app.window.layout import Layout
 from qovr_app.window.layout_shell import LayoutShell
 from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
@@ -35,7 +39,6 @@ from qovr_app.window.shell import Shell
 from qovr_app.window.sources import opened_source
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
-from qovr_core.files import source_suffixes
 from qovr_core.files.sources import PRESET_PREFIX
 
 if TYPE_CHECKING:
@@ -72,18 +75,28 @@ class MainWindow(QMainWindow):
         self.parts = Layout(self.store, self.worker, self)
         folder, commit = Folder(preferences), self.parts.commit_typed
         self._documents = DocumentShell(self.store, self, folder, self.worker, commit)
-        save_view = self.parts.view_frame.save_figure
+        view_writer = self.parts.view_frame.figure_writer
         exports = ExportShell(
-            self.store, self, folder, self.worker, preferences, save_view=save_view, commit_typed=commit
+            self.store, self, folder, self.worker, preferences, view_writer=view_writer, commit_typed=commit
         )
         self._offer = RecoveryOffer(self._documents, self.store, self.worker, self)
         self._outside, self._watch = OutsideOffer(self.store, self), FileWatch(self.store, self)
         parts = LayoutShell(self.store, self.parts, self)
-        shell = Shell(parts.answers, self._documents.answers, exports.answers, self._offer.answers)
+        shell = Shell(
+            parts.answers,
+            HelpShell(lambda: self._actions, self).answers,
+            self._documents.answers,
+            exports.answers,
+            self._offer.answers,
+        )
         self.store.answer_with(shell.perform)
         self._actions = Actions(command_table(), self.store, self)
         self._facts = QLabel(self)
         self._facts.setObjectName("surface.facts")
+        self._actions.give_single_keys(self.parts.view_frame)
+        self.parts.view_frame.menu_asked.connect(
+            lambda wish, at: show_context_menu(wish, at, self._actions, self.store.dispatch, self)
+        )
         self._message = MessageLine(self.store.dispatch, self)
         self._notices.noticed.connect(lambda text: self.store.dispatch(MessageShown(text)))
         self._assemble(folder)
@@ -117,19 +130,25 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.parts, 1)
         self.setCentralWidget(middle)
         menus = fill_menu_bar(self.menuBar(), self._actions)
-        presets = menus["File/Presets of the paper"].menuAction()
+        presets = menus["File/New from preset"].menuAction()
         recent = RecentMenu(lambda: folder.recent, self.store.dispatch, self)
         menus["File"].insertMenu(presets, recent)
+        history = HistoryMenu(lambda: self.store.state.history, self.store.dispatch, self)
+        menus["Edit"].insertMenu(self._actions["copy"], history)
         self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)
 
     def _show_state(self, before: EditorState | None, after: EditorState) -> None:
         if after.differs(before, "document", "evaluation"):
             self._facts.setText(_facts_text(after))
+        if after.display.theme is not theme_in_force().name:
+            set_theme(after.display.theme)  # the palette, and so every widget, follows the state
         if before is not None and self._preferences and after.display != before.display:
             self._preferences.note_display(before.display, after.display)
+        if before is not None and self._preferences and after.tools != before.tools:
+            self._preferences.note_tools(before.tools, after.tools)
         if after.differs(before, "history", "file", "draft", "texts"):
-            self.setWindowTitle(f"{after.file.title}[*] - {NAME}")
+            self.setWindowTitle(f"{title_text(after.file.title)}[*] - {NAME}")
             self.setWindowModified(after.is_changed)
 
     # Coming and going
@@ -163,12 +182,16 @@ class MainWindow(QMainWindow):
                 self._preferences.set_bytes(name, state)
 
     def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        if _dropped_source(event):
-            event.acceptProposedAction()
+        take(event)
+
+    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
+        take(event)
 
     def dropEvent(self, event: QDropEvent) -> None:
-        event.acceptProposedAction()
-        self.store.dispatch(SourceAsked(_dropped_source(event)))
+        if take(event):
+            sources = dropped_sources(event)
+            # Whatever is asked waits until the drop has ended: its source waits for that too.
+            QTimer.singleShot(0, self, lambda: open_each(sources, self.store.dispatch))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self.parts.commit_typed()
@@ -197,10 +220,11 @@ class MainWindow(QMainWindow):
 def _state_of(opened: Opened, preferences: Preferences | None) -> EditorState:
     """Return the state with which a window begins that shows what was opened."""
     display = DisplaySettings(theme=theme_in_force().name)
+    tools = None
     if preferences:
-        display = preferences.display(display)
+        display, tools = preferences.display(display), preferences.tools
     file = DocumentFile(opened.title, opened.path, opened.stamp, opened.stamp)
-    return first_state(opened.document, file, display)
+    return first_state(opened.document, file, display, tools)
 
 
 def _facts_text(state: EditorState) -> str:
@@ -211,9 +235,3 @@ def _facts_text(state: EditorState) -> str:
     n, m = document.samples
     stale = "stale   " if state.is_stale else ""
     return f"{stale}{document.formulation}   {n} × {m} samples   degree {degree_u} × {degree_v} "
-
-
-def _dropped_source(event: QDropEvent) -> str:
-    """Return the first dropped file that can be opened; empty where there is none."""
-    paths = (url.toLocalFile() for url in event.mimeData().urls())
-    return next((path for path in paths if path.lower().endswith(source_suffixes())), "")

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from qovr_app.state.requests import RecentCleared, SourceAsked
 from qovr_app.store import Dispatch
+from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.actions import Actions
 
 _BAR_LAYERS = {"layer_raw": "Raw", "layer_transformed": "Transformed", "layer_both": "Both"}
@@ -101,8 +102,8 @@ class RecentMenu(QMenu):
     def _fill(self) -> None:
         self.clear()
         for number, path in enumerate(self._recent(), start=1):
-            action = self.addAction(f"&{number}  {path.name}".replace("&&", "&"))
-            action.setToolTip(str(path))
+            action = self.addAction(f"&{number}  {menu_text(path.name)}")
+            action.setToolTip(plain_tip(str(path)))
             action.triggered.connect(lambda _checked, path=path: self._dispatch(SourceAsked(str(path))))
         if self.isEmpty():
             self.addAction("No files yet").setEnabled(False)

@@ -11,6 +11,7 @@ from typing import Any
 from PySide6.QtCore import QByteArray, QSettings
 
 from qovr_app.state.display import ColourRange, DisplaySettings
+from qovr_app.state.tools import ToolSettings, can_be
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core.fields import FIELDS
 from qovr_core.files import ExportOptions
@@ -19,8 +20,8 @@ _ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
 _MOST_RECENT = 9
 """As many recent files as there are digits to choose them by."""
 
-_FORGOTTEN = ("theme", "fixed_range")
-"""Display settings that follow the system, or belong to one document, and are not remembered."""
+_FORGOTTEN = ("theme", "fixed_range", "selects", "symmetry_rows", "symmetry_columns")
+"""Settings that follow the system, or belong to one document, and are not remembered."""
 
 _CONVENTIONS = ("unit", "up", "csv_dialect")
 """The choices of an export that are of a person's other programs, and not of one document."""
@@ -96,16 +97,7 @@ class Preferences:
 
     def display(self, first: DisplaySettings) -> DisplaySettings:
         """Return ``first`` with every remembered choice in it."""
-        chosen: dict[str, Any] = {}
-        for field in fields(first):
-            text = self._store.value(f"view/{field.name}")
-            if text is None or field.name in _FORGOTTEN:
-                continue
-            kind = type(getattr(first, field.name))
-            try:
-                chosen[field.name] = str(text) == "true" if kind is bool else kind(str(text))
-            except ValueError:
-                continue
+        chosen = self._chosen("view", first)
         if chosen.get("colour_by") not in colour_sources():
             chosen.pop("colour_by", None)
         return replace(first, **chosen)
@@ -121,7 +113,32 @@ class Preferences:
             value = getattr(after, field.name)
             is_changed = value != getattr(before, field.name)
             if is_changed and field.name not in _FORGOTTEN and not passing.get(field.name):
-                self._write(f"view/{field.name}", str(value).lower() if isinstance(value, bool) else str(value))
+                self._write(f"view/{field.name}", _choice_text(value))
+
+    @property
+    def tools(self) -> ToolSettings:
+        """How control points are picked and moved; a size that can be none counts as never set."""
+        chosen = self._chosen("tools", ToolSettings())
+        return replace(ToolSettings(), **{name: value for name, value in chosen.items() if can_be(name, value)})
+
+    def note_tools(self, before: ToolSettings, after: ToolSettings) -> None:
+        """Remember what is done otherwise than before."""
+        for field in fields(after):
+            value = getattr(after, field.name)
+            if value != getattr(before, field.name) and field.name not in _FORGOTTEN:
+                self._write(f"tools/{field.name}", _choice_text(value))
+
+    def _chosen(self, group: str, first: DisplaySettings | ToolSettings) -> dict[str, Any]:
+        """Return the remembered choices of a group that read back, by their names."""
+        chosen: dict[str, Any] = {}
+        for field in fields(first):
+            text = self._store.value(f"{group}/{field.name}")
+            if text is None or field.name in _FORGOTTEN:
+                continue
+            kind = type(getattr(first, field.name))
+            with suppress(ValueError):
+                chosen[field.name] = str(text) == "true" if kind is bool else kind(str(text))
+        return chosen
 
     def _text(self, key: str) -> str:
         value = self._store.value(key, "")
@@ -145,6 +162,10 @@ class Preferences:
                 return f"The preferences cannot be read whole: {file}."
             return f"The preferences cannot be read whole; the file was set aside as {aside}."
         return f"The preferences can be neither read nor kept: {file}."
+
+
+def _choice_text(value: object) -> str:
+    return str(value).lower() if isinstance(value, bool) else str(value)
 
 
 def home_folder() -> Path:

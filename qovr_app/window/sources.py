@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from qovr_app.state.intents import Opened, Stamp
-from qovr_core import Document
+from qovr_core import Document, SourceError
 from qovr_core.files import read_source, write_document
-from qovr_core.files.sources import PRESET_PREFIX
+from qovr_core.files.sources import PRESET_PREFIX, local_path
 
 DOCUMENT_SUFFIX = ".qovr"
 
@@ -26,6 +26,7 @@ def opened_source(source: str) -> Opened:
     if source.startswith(PRESET_PREFIX):
         name = source.removeprefix(PRESET_PREFIX)
         return Opened(read_source(source), name, preset=name, message=f"Opened {name}")
+    source = local_path(source)
     stamp = _stamp_if_told(Path(source))  # before it is read: a change on the way is noticed later
     document = read_source(source)
     path = Path(source).resolve()
@@ -46,8 +47,8 @@ def opened_if_small(source: str) -> Opened | None:
 def is_large(source: str) -> bool:
     """Return whether reading a source takes so long that another process has to do it."""
     try:
-        return not source.startswith(PRESET_PREFIX) and Path(source).stat().st_size > _LARGE_BYTES
-    except (OSError, ValueError):
+        return not source.startswith(PRESET_PREFIX) and Path(local_path(source)).stat().st_size > _LARGE_BYTES
+    except (OSError, ValueError, SourceError):
         return False  # reading will say why
 
 

@@ -2,23 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QPoint, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.requests import CameraAsked
+from qovr_app.state.requests import CameraAsked, CameraStep, FocusAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
-from qovr_core.arrays import Array
+from qovr_app.work.gui_calls import GuiCalls
 from qovr_core.document import NetIndex
+from qovr_core.edits import CoordinatePlace, Zone
+from qovr_core.files.progress import Progress
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.presets import figure_cases
 
@@ -27,6 +30,8 @@ if TYPE_CHECKING:
     from qovr_app.view3d.view import View3D
 
 _MARK_MARGIN = 12
+_LEAST_RADIUS = 1.0
+"""Steps along the net."""
 
 
 class StaleMark(QLabel):
@@ -49,12 +54,18 @@ class StaleMark(QLabel):
 
 
 class ViewFrame(QWidget):
-    """An empty frame that becomes the view after it has been painted once; a view that comes late is right at once."""
+    """An empty frame that becomes the view after it has been painted once; a view that comes late is right at once.
+
+    ``menu_asked`` tells a MenuWish and the place of the screen where the menu is wanted.
+    """
+
+    menu_asked = Signal(object, QPoint)
 
     def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._store = store
         self._view: View3D | None = None
+        self._gui_calls = GuiCalls(self)
         self.setAutoFillBackground(True)
         self.setBackgroundRole(QPalette.ColorRole.Base)
         self._layout = QVBoxLayout(self)
@@ -76,7 +87,6 @@ class ViewFrame(QWidget):
         if self._view is not None:
             self._view.display(shown_of(after))
             if before is not None and before.file.opening != after.file.opening:
-                self._view.drop_drags()
                 look_at_opened(self._view, after.file.preset)
 
     def look(self, request: CameraAsked) -> None:
@@ -86,9 +96,21 @@ class ViewFrame(QWidget):
         else:
             self.view.fit()
 
+    def move_camera(self, step: CameraStep) -> None:
+        """Look from where one looked before or after, or at the selected points from near."""
+        if step is CameraStep.SELECTION:
+            self.view.fit(selection=True)
+        else:
+            self.view.camera_motion.recall(forward=step is CameraStep.FORWARD)
+
     def save_figure(self, path: Path, options: FigureOptions) -> None:
         """Write what is seen; see ``View3D.save_figure``."""
         self.view.save_figure(path, options)
+
+    def figure_writer(self) -> Callable[[Path, FigureOptions, Progress], None]:
+        """Return what writes as a figure what is seen now; for a job in a thread of this process."""
+        write = self.view.figure_writer()
+        return lambda path, options, progress: write(path, options, progress, self._gui_calls)
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it says nothing."""
@@ -125,13 +147,31 @@ class ViewFrame(QWidget):
 
     def _listen(self, view: View3D) -> None:
         dispatch = self._store.dispatch
-        view.point_dragged.connect(
-            lambda i, j, point, gesture: dispatch(moved_to(self._store.state, (i, j), point, gesture))
+        view.points_dragged.connect(
+            lambda indices, moved, gesture: dispatch(
+                intents.PointsMoved(indices, tuple(map(tuple, moved.tolist())), gesture)
+            )
         )
         view.drag_finished.connect(lambda gesture: dispatch(intents.GestureEnded(gesture)))
         view.drag_cancelled.connect(lambda gesture: dispatch(intents.GestureCancelled(gesture)))
-        view.point_selected.connect(lambda index: dispatch(looking_intents.Selected(index)))
+        view.points_picked.connect(lambda picked, picking: dispatch(selected_of(picked, picking)))
+        view.radius_turned.connect(self._turn_radius)
+        view.point_opened.connect(self._open_fields)
+        view.menu_asked.connect(self.menu_asked)
+        view.said.connect(lambda text: dispatch(looking_intents.MessageShown(text)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
+
+    def _open_fields(self, index: NetIndex) -> None:
+        """Bring the keyboard to the height of a control point."""
+        self._store.dispatch(looking_intents.ZonesShown(are_shown=True))
+        self._store.dispatch(looking_intents.FieldFocused(CoordinatePlace(*index, axis=2)))
+        self._store.flush()
+        self._store.dispatch(FocusAsked(Zone.CONTROL_POINTS))
+
+    def _turn_radius(self, notches: float) -> None:
+        """Let a soft move reach further, or less far; never less than to the next point."""
+        radius = max(_LEAST_RADIUS, self._store.state.tools.soft_radius + notches)
+        self._store.dispatch(looking_intents.ToolChosen("soft_radius", radius))
 
     def _make_herald(self) -> QWidget | None:
         """Return a widget of one pixel that needs OpenGL.
@@ -151,10 +191,9 @@ def _without_opengl(reason: str) -> str:
     return f"{reason.rstrip('.')}. The surface is drawn by the 2D painter instead; everything else works."
 
 
-def moved_to(state: EditorState, index: NetIndex, point: Array, gesture: int) -> intents.PointsMoved:
-    """Return what moves a point to a place, (3,), in the course of a gesture."""
-    moved = point - state.document_before(gesture).control_points[index]
-    return intents.PointsMoved((index,), (tuple(moved.tolist()),), gesture)
+def selected_of(picked: tuple[NetIndex, ...], picking: looking_intents.Picking) -> looking_intents.Selected:
+    """Return what selects control points, the one picked last at the end."""
+    return looking_intents.Selected(picked[-1] if picked else None, picked[:-1], picking)
 
 
 def look_at_opened(view: View3D, preset: str) -> None:
@@ -173,12 +212,14 @@ def shown_of(state: EditorState) -> Shown:
         evaluation=state.evaluation,
         document=state.shown_document,
         settings=state.display,
+        tools=state.tools,
         selected=state.selection.points,
         last_selected=state.selection.last,
         reference=reference.surface if reference else None,
         reference_name=reference.name if reference else "",
         knot=state.knot,
         comparison=_comparison_of(state),
+        opening=state.file.opening,
         dragging=state.gesture is not None,
     )
 

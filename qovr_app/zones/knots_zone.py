@@ -13,7 +13,9 @@ from qovr_app.state.names import knot_meaning, spoken
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.parts import Note, symbol
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.knot_slider import KnotSlider
 from qovr_app.zones.zone import FieldZone
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
@@ -21,8 +23,8 @@ from qovr_core.checks import checked_knot
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import Zone, knots_of
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, monotone_range
+from qovr_core.number_texts import knot_step
 
-_STEP = 0.01
 _NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
 """The knots in the order of the paper's window: rightwards for the rows, downwards for the columns."""
 
@@ -40,6 +42,7 @@ class KnotsZone(FieldZone):
         self._layout.addLayout(self._make_grid())
         self._caption = QLabel(self)
         self._slider = KnotSlider(f"{direction}.slider", self)
+        guard_from_wheels(self._slider)
         self._slider.knot_moved.connect(self._on_slider_moved)
         slider_row = QHBoxLayout()
         slider_row.setSpacing(2 * SPACE)
@@ -70,7 +73,7 @@ class KnotsZone(FieldZone):
                 field.set_warning("" if knots.is_monotone else _folding_text(name, knots))
         self._note.say("<br>".join(self._notes(curves, formulation)))
 
-    def copied_block(self) -> list[list[float]]:
+    def copied_block(self) -> Rows:
         return [[self.fields[place].value for place in row] for row in self._table()]
 
     def _table(self) -> list[list[KnotPlace]]:
@@ -99,7 +102,7 @@ class KnotsZone(FieldZone):
         letter = self._direction.letter
         for r, row in enumerate(self._table(), start=1):
             for c, place in enumerate(row, start=1):
-                field = self._make_field(place, _STEP)
+                field = self._make_field(place, knot_step)
                 field.set_tip(knot_meaning(place))
                 grid.addWidget(field, r, c)
                 curve = symbol_html(letter, str(place.curve))

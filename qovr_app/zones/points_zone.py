@@ -12,13 +12,14 @@ from qovr_app.state.names import AXES
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.parts import symbol
 from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import CoordinatePlace, Zone
+from qovr_core.number_texts import natural_step
 
-_STEP = 0.01
 _ROWS = range(NET_SIZE - 1, -1, -1)
 """Rows from the top of the window down."""
 
@@ -40,10 +41,10 @@ class PointsZone(FieldZone):
             for place in chain(*self._points()):
                 self.fields[place].set_marked((place.i, place.j) in after.selection.points)
 
-    def copied_block(self) -> list[list[float]]:
+    def copied_block(self) -> Rows:
         return [[self.fields[place].value for place in row] for row in self._points()]
 
-    def copied_plane(self) -> list[list[float]]:
+    def copied_plane(self) -> Rows:
         """Return one coordinate of all points, 5 x 5 as the net lies: that of the field that had the keyboard last."""
         return [[self.fields[place].value for place in row] for row in self._plane()]
 
@@ -52,6 +53,9 @@ class PointsZone(FieldZone):
         """The coordinate whose field has, or had last, the keyboard."""
         place = self._place
         return place if isinstance(place, CoordinatePlace) else CoordinatePlace(0, 0, 0)
+
+    def _step(self, coordinate: float) -> float:
+        return natural_step(coordinate, self._store.state.draft.net_size)
 
     def _points(self) -> list[list[CoordinatePlace]]:
         return [[CoordinatePlace(i, j, axis) for axis in range(3)] for i in range(NET_SIZE) for j in range(NET_SIZE)]
@@ -84,7 +88,7 @@ class PointsZone(FieldZone):
             for j in range(NET_SIZE):
                 for axis in range(3):
                     place = CoordinatePlace(i, j, axis)
-                    field = self._make_field(place, _STEP)
+                    field = self._make_field(place, self._step)
                     field.set_tip(
                         f"P {i},{j}: the {AXES[axis]} coordinate of the control point in row {i}, column {j}."
                     )

@@ -25,12 +25,12 @@ class SamplesField(NumberField):
     count_edited = Signal(int)
 
     def __init__(self, parameter: str, parent: QWidget | None = None) -> None:
-        super().__init__(f"samples along {parameter}", _check, 1.0, parent)
+        super().__init__(f"samples along {parameter}", _check, lambda _count: 1.0, parent)
         fewest, most = SAMPLES_RANGE
         self.setObjectName(f"surface.samples_{parameter}")
         self.setAccessibleName(f"Samples along {parameter}")
         self.set_tip(f"How many points of the surface are computed along {parameter}, from {fewest} to {most}.")
-        self.setMaximumWidth(self.fontMetrics().horizontalAdvance("00000") + 16)
+        self.set_width(self.fontMetrics().horizontalAdvance("00000") + 16)
         self.value_edited.connect(lambda value, _gesture: self.count_edited.emit(int(value)))
 
     @property

@@ -15,6 +15,7 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_table import NumberTable
 from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.samples_field import SamplesField
 from qovr_core import FORMULATIONS, Document, Evaluation
 
@@ -25,9 +26,11 @@ class SurfaceZone(QFrame):
     def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._store = store
+        self._has_reported = False  # then a control shows what it has asked for, which may be undone in the same turn
         self.setObjectName("zone.surface")
         self.setAccessibleName("Surface")
         self._formulation = QComboBox(self)
+        guard_from_wheels(self._formulation)
         self._formulation.setObjectName("surface.formulation")
         self._samples = (self._samples_field("u"), self._samples_field("v"))
         self._configure = CompactButton(
@@ -63,7 +66,8 @@ class SurfaceZone(QFrame):
         if before is not None and before.file.opening != after.file.opening:
             for field in self._samples:
                 field.revert()
-        if after.differs(before, "document"):
+        if after.differs(before, "document") or self._has_reported:
+            self._has_reported = False
             self._show_document(after.document)
         if after.differs(before, "document", "evaluation"):
             self._show_numbers(after.evaluation)
@@ -127,6 +131,7 @@ class SurfaceZone(QFrame):
 
     def _dispatch(self, intent: Intent) -> None:
         """Dispatch a choice; where it is refused, show what is so."""
+        self._has_reported = True
         if self._store.dispatch(intent) is not None:
             self._show_document(self._store.state.document)
 

@@ -14,6 +14,7 @@ from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
 from qovr_app.state.typed import typed_block
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.clipboard import Rows, pasted_cells
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import MARGINS, CompactButton, title_html
 from qovr_core import DocumentError, QovrError
@@ -29,6 +30,7 @@ class FieldZone(QFrame):
         self.setObjectName(f"zone.{zone}")
         self.setAccessibleName(ZONE_TITLES[zone])
         self.fields: dict[Place, NumberField] = {}
+        self._has_reported = False  # then a field shows what it has asked for, which may be undone in the same turn
         self._title = QLabel(title_html(ZONE_TITLES[zone], aside), self)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(*MARGINS)
@@ -39,7 +41,8 @@ class FieldZone(QFrame):
         """Show the draft of a state, and mark what differs from the document."""
         if before is not None:
             self._drop_texts(before, after)
-        if after.differs(before, "document", "draft"):
+        if after.differs(before, "document", "draft") or self._has_reported:
+            self._has_reported = False
             for place, field in self.fields.items():
                 value = value_at(after.draft, place)
                 field.show_value(value, is_unset=value != value_at(after.document, place))
@@ -89,17 +92,17 @@ class FieldZone(QFrame):
         return self._store.state.fields.get(self.zone, next(iter(self.fields)))
 
     @abstractmethod
-    def copied_block(self) -> list[list[float]]:
+    def copied_block(self) -> Rows:
         """Return the zone's numbers as a table, as they lie in a spreadsheet."""
 
     @abstractmethod
     def _places_of_block(self, rows: int, columns: int) -> Sequence[Sequence[Place]]:
         """Return where a block of this size goes, or raise DocumentError with the sizes that have a place."""
 
-    def paste_block(self, text: str) -> None:
-        """Report the numbers of a spreadsheet's block, all or none."""
+    def paste(self) -> None:
+        """Report the numbers of the table on the clipboard, all or none."""
         try:
-            block = typed_block(text)
+            block = typed_block(pasted_cells(), self._has_place)
             places = self._places_of_block(len(block), len(block[0]))
             values = {}
             for place_row, row in zip(places, block, strict=True):
@@ -116,7 +119,7 @@ class FieldZone(QFrame):
 
     _check: Callable[[object, str], float]
 
-    def _make_field(self, place: Place, step: float) -> NumberField:
+    def _make_field(self, place: Place, step: Callable[[float], float]) -> NumberField:
         field = NumberField(label(place), self._check, step, self)
         field.setObjectName(object_name(place))
         field.setAccessibleName(spoken(place))
@@ -124,11 +127,12 @@ class FieldZone(QFrame):
         field.refused.connect(lambda reason: self._refuse(reason and f"{reason}."))
         field.focused.connect(lambda: self._store.dispatch(FieldFocused(place)))
         field.text_owned.connect(lambda: self._on_text_owned(place, field))
-        field.block_pasted.connect(self.paste_block)
+        field.block_pasted.connect(self.paste)
         self.fields[place] = field
         return field
 
     def _on_value_edited(self, place: Place, value: float, gesture: int) -> None:
+        self._has_reported = True
         error = self._store.dispatch(ValuesEdited({place: value}, gesture))
         if error is not None:
             self.fields[place].refuse(value_at(self._store.state.draft, place), str(error))
@@ -162,6 +166,14 @@ class FieldZone(QFrame):
         count = sum(self._store.state.is_pending(place) for place in self.fields)
         self._set.set_due(count > 0)
         self._count.setText(f"{count} not set" if count else "")
+
+    def _has_place(self, rows: int, columns: int) -> bool:
+        """Return whether a block of this size has a place."""
+        try:
+            self._places_of_block(rows, columns)
+        except DocumentError:
+            return False
+        return True
 
     def _no_place(self, rows: int, columns: int, expected: str) -> DocumentError:
         return DocumentError("the block", f"{rows} x {columns} numbers", expected)

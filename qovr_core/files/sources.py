@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import os
+import re
 from pathlib import Path
+from urllib.parse import unquote_to_bytes
+from urllib.request import url2pathname
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
@@ -11,6 +15,8 @@ from qovr_core.files.qovr_document import QOVR
 from qovr_core.presets import preset
 
 PRESET_PREFIX = "paper:"
+
+_ADDRESS = re.compile(r"file:(?://(?P<host>[^/]*))?(?=/)", re.IGNORECASE)
 
 
 def readable_suffixes() -> tuple[str, ...]:
@@ -25,6 +31,30 @@ def source_suffixes() -> tuple[str, ...]:
     return (*readable_suffixes(), *(suffix for entry in readable for suffix in entry.suffixes_read))
 
 
+def local_path(source: str) -> str:
+    """Return the path that a ``file://`` address means; any other source as it is.
+
+    In an address, ``%20`` stands for a space; ``#``, ``?`` and ``&`` are letters of the name, written out or not.
+
+    Raises
+    ------
+    SourceError : the address is one on another machine
+
+    Examples
+    --------
+    >>> local_path("file:///work/a%20b&c%23.qovr"), local_path("a%20b.qovr")
+    ('/work/a b&c#.qovr', 'a%20b.qovr')
+    """
+    found = _ADDRESS.match(source)
+    if found is None or os.path.lexists(source):
+        return source
+    host = (found["host"] or "").lower()
+    if host not in ("", "localhost"):
+        raise SourceError(f"{source}: is an address on {host}; expected a file of this machine, as file:///folder/name")
+    path = source[found.end() :]
+    return url2pathname(path) if os.name == "nt" else os.fsdecode(unquote_to_bytes(os.fsencode(path)))
+
+
 def read_source(source: str) -> Document:
     """Return the document of a file that carries one, or of ``paper:NAME``.
 
@@ -35,7 +65,7 @@ def read_source(source: str) -> Document:
     """
     if source.startswith(PRESET_PREFIX):
         return preset(source.removeprefix(PRESET_PREFIX)).document
-    path = Path(source)
+    path = Path(local_path(source))
     suffix = path.suffix.lower()
     for entry in FORMATS.values():
         if entry.reader is not None and suffix in (entry.suffix, *entry.other_suffixes, *entry.suffixes_read):

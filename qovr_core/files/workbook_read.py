@@ -2,21 +2,28 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from math import isqrt
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.checks import SAMPLES_RANGE, checked_knot, checked_number, described
+from qovr_core.checks import LARGEST_MAGNITUDE, SAMPLES_RANGE, checked_knot, checked_number, described
 from qovr_core.document import NET_SIZE, Document
-from qovr_core.errors import DocumentError, FileError
+from qovr_core.errors import DocumentError, quoted
 from qovr_core.files import published_layout as layout
 from qovr_core.files.qovr_document import document_from_json
+from qovr_core.files.sample_grid import grid_of
+from qovr_core.files.sheet_cells import SheetCells
+from qovr_core.files.workbook_book import Book, opened_book
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import KNOT_NAMES, Knots, knot_array
+
+_ROWS_OF_INPUTS = layout.FIRST_ROW + SAMPLES_RANGE[1] + 1
+"""The inputs, and a row of samples and one more, by which the samples are counted where nothing else tells them."""
+
+_DEFAULT_SAMPLES = (101, 101)
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,19 +44,18 @@ class PublishedNumbers:
 class _Sheet:
     """Cells of one sheet, with errors that name the cell."""
 
-    def __init__(self, name: str, rows: list[list[Any]]) -> None:
-        self._name = name
-        self._rows = rows
+    def __init__(self, name: str, cells: SheetCells) -> None:
+        self._name = quoted(name)
+        self._cells = cells
 
     @property
-    def height(self) -> int:
-        return len(self._rows)
+    def raw(self) -> Array:
+        """The raw points that were read, (k, 3), NaN where there is no number."""
+        return self._cells.points[: self._cells.count, :3]
 
     def value(self, column: int, row: int) -> object:
         """Return a cell's value by zero-based column and one-based row; None where it is empty."""
-        cells = self._rows[row - 1] if row <= len(self._rows) else []
-        value = cells[column] if column < len(cells) else ""
-        return None if value == "" else value
+        return self._cells.value(column, row)
 
     def place(self, column: int, row: int) -> str:
         return f"{self._name}!{layout.column_letters(column)}{row}"
@@ -65,22 +71,31 @@ class _Sheet:
         start = layout.column_index(first_column) + skip
         return np.array([[self.number(start + c, layout.FIRST_ROW + r) for c in range(columns)] for r in range(rows)])
 
+    def points(self, table: str, count: int) -> Array:
+        """Return a table of points, (count, 3)."""
+        first = 3 * (table == layout.TRANSFORMED)
+        points = np.full((count, 3), np.nan)
+        there = self._cells.points[:count, first : first + 3]
+        points[: len(there)] = there
+        for row, axis in np.argwhere(~(np.abs(points) <= LARGEST_MAGNITUDE))[:1].tolist():
+            self.number(layout.column_index(table) + 1 + axis, layout.FIRST_ROW + row)
+        return points
+
 
 def read_workbook(path: Path) -> Document:
     """Return the document whose inputs a workbook in the published layout holds.
 
     The formulation and the samples are those that this program recorded in the workbook, else
-    ``published`` and a square grid of as many samples as there are raw points (101 x 101 where there are none).
+    ``published`` and the grid on which the raw points lie (101 x 101 where there are none).
 
     Raises
     ------
     FileError : the file cannot be read, or a cell of the inputs holds anything but what belongs there
     """
-    sheet, record = _sheets(path)
-    try:
-        return _document(sheet, record)
-    except DocumentError as error:
-        raise FileError(f"{path}: {error} (published layout)") from error
+    with opened_book(path) as book:
+        sheet = _Sheet(book.sheet_name, book.cells(_ROWS_OF_INPUTS))
+        few = len(sheet.raw)
+        return _document(sheet, book, few if few < SAMPLES_RANGE[1] else book.point_count())
 
 
 def read_published_numbers(path: Path) -> PublishedNumbers:
@@ -90,47 +105,25 @@ def read_published_numbers(path: Path) -> PublishedNumbers:
     ------
     FileError : the file cannot be read, or a cell holds anything but what belongs there
     """
-    sheet, record = _sheets(path)
-    try:
-        document = _document(sheet, record)
-        n, m = document.samples
-        if _raw_points(sheet) == 0:
+    with opened_book(path) as book:
+        sheet = _Sheet(book.sheet_name, book.cells(layout.LAST_ROW_OF_A_SHEET))
+        if not len(sheet.raw):
             place = sheet.place(layout.column_index(layout.RAW) + 1, layout.FIRST_ROW)
             raise DocumentError(place, "empty", "the raw coordinates of the surface")
+        document = _document(sheet, book, len(sheet.raw))
+        n, m = document.samples
         return PublishedNumbers(
             document=document,
-            raw=sheet.numbers(layout.RAW, n * m, 3).reshape(n, m, 3),
-            transformed=sheet.numbers(layout.TRANSFORMED, n * m, 3).reshape(n, m, 3),
+            raw=sheet.points(layout.RAW, n * m).reshape(n, m, 3),
+            transformed=sheet.points(layout.TRANSFORMED, n * m).reshape(n, m, 3),
             control_box=sheet.numbers(layout.CONTROL_BOX, 3, 2),
             raw_box=sheet.numbers(layout.RAW_BOX, 3, 2),
             matrix=sheet.numbers(layout.MATRIX, 4, 4, skip=0),
         )
-    except DocumentError as error:
-        raise FileError(f"{path}: {error} (published layout)") from error
 
 
-def _sheets(path: Path) -> tuple[_Sheet, dict[str, Any]]:
-    """Return the first sheet, and what this program recorded on its own sheet; empty for other workbooks."""
-    from python_calamine import CalamineError, CalamineWorkbook
-
-    try:
-        with path.open("rb"):
-            pass  # tells a missing or forbidden file apart from a damaged one
-        book = CalamineWorkbook.from_path(path)
-        first = book.get_sheet_by_index(0)
-        sheet = _Sheet(first.name, first.to_python(skip_empty_area=False))
-        if layout.RECORD_SHEET not in book.sheet_names:
-            return sheet, {}
-        rows = book.get_sheet_by_name(layout.RECORD_SHEET).to_python(skip_empty_area=False)
-        return sheet, {str(row[0]): row[1] for row in rows if len(row) >= 2}
-    except OSError as error:
-        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
-    except CalamineError as error:
-        reason = " ".join(str(error).split())
-        raise FileError(f"{path}: is no whole Excel workbook: {reason}") from error
-
-
-def _document(sheet: _Sheet, record: dict[str, Any]) -> Document:
+def _document(sheet: _Sheet, book: Book, count: int) -> Document:
+    """Return the document of a sheet with so many raw points."""
     first = layout.column_index(layout.NET)
     for k, indices in enumerate(np.ndindex(NET_SIZE, NET_SIZE)):
         for column, index in zip((first + 1, first + 2), indices, strict=True):
@@ -142,10 +135,10 @@ def _document(sheet: _Sheet, record: dict[str, Any]) -> Document:
         control_points=net,
         row_knots=_row_knots(sheet),
         column_knots=_column_knots(sheet),
-        formulation=record.get("formulation", Formulation.PUBLISHED),
-        samples=_samples(sheet, record),
+        formulation=book.record.get("formulation", Formulation.PUBLISHED),
     )
-    return _to_the_last_bit(document, record)
+    document = replace(document, samples=_samples(document, sheet, book.record, count))
+    return _to_the_last_bit(document, book.record)
 
 
 def _to_the_last_bit(document: Document, record: dict[str, Any]) -> Document:
@@ -178,28 +171,18 @@ def _column_knots(sheet: _Sheet) -> tuple[Knots, ...]:
     return tuple(Knots(*(sheet.knot(column, row) for row in rows)) for column in columns)
 
 
-def _raw_points(sheet: _Sheet) -> int:
-    column = layout.column_index(layout.RAW) + 1
-    row = layout.FIRST_ROW
-    while sheet.value(column, row) is not None:
-        row += 1
-    return row - layout.FIRST_ROW
-
-
-def _samples(sheet: _Sheet, record: dict[str, Any]) -> tuple[int, int]:
-    count = _raw_points(sheet)
-    if "samples_u" in record and "samples_v" in record:
-        n, m = (_whole(record[name]) for name in ("samples_u", "samples_v"))
-        if n * m == count:
-            return n, m
+def _samples(document: Document, sheet: _Sheet, record: dict[str, Any], count: int) -> tuple[int, int]:
+    n, m = (_whole(record.get(name)) for name in ("samples_u", "samples_v"))
+    if n * m == count > 0:
+        return n, m
     if count == 0:
-        return 101, 101
-    side = isqrt(count)
-    if side * side != count or not SAMPLES_RANGE[0] <= side <= SAMPLES_RANGE[1]:
+        return _DEFAULT_SAMPLES
+    grid = grid_of(document, sheet.raw, count)
+    if grid is None:
         place = sheet.place(layout.column_index(layout.RAW) + 1, layout.FIRST_ROW)
         raise DocumentError(f"the table at {place}", f"{count} points long", "a square number of points, as 101 x 101")
-    return side, side
+    return grid
 
 
 def _whole(value: object) -> int:
-    return int(value) if isinstance(value, (int, float)) and float(value).is_integer() else 0
+    return int(value) if isinstance(value, float) and value.is_integer() else 0

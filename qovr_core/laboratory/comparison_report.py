@@ -164,14 +164,14 @@ def comparison_text(comparison: Comparison) -> str:
     return "\n".join(lines)
 
 
-def copied_text(comparison: Comparison) -> str:
-    """Return the table for a spreadsheet: tab separated, every number in full, an empty cell for none."""
+def copied_rows(comparison: Comparison) -> list[list[str | float]]:
+    """Return the table for a spreadsheet: every number in full, an empty cell for none."""
     columns, titles = comparison.measures, surface_titles()
-    lines = [("measure", *(titles[name] for name in columns))]
+    rows: list[list[str | float]] = [[motion_text(comparison.of)], ["measure", *(titles[name] for name in columns)]]
     for row in ROWS:
         values = (row.value(measures) for measures in columns.values())
-        lines.append((row.label, *("" if value is None or not isfinite(value) else repr(value) for value in values)))
-    return motion_text(comparison.of) + "\n" + "".join("\t".join(line) + "\n" for line in lines)
+        rows.append([row.label, *("" if value is None or not isfinite(value) else value for value in values)])
+    return rows
 
 
 def comparison_facts(comparison: Comparison) -> dict[str, Any]:

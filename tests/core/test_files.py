@@ -222,10 +222,19 @@ def test_a_foreign_workbook_is_square_and_published(tmp_path):
     assert document.formulation is Formulation.PUBLISHED
 
 
-def test_a_foreign_workbook_whose_points_make_no_square(tmp_path):
+def test_the_points_of_a_foreign_workbook_tell_their_grid(tmp_path):
     path = export(configure(random_document(1)), tmp_path / "a.xlsx")
     book = openpyxl.load_workbook(path)
     del book[published_layout.RECORD_SHEET]
+    book.save(path)
+    assert read_workbook(path).samples == (7, 5)
+
+
+def test_points_on_no_grid_of_the_surface(tmp_path):
+    path = export(configure(random_document(1)), tmp_path / "a.xlsx")
+    book = openpyxl.load_workbook(path)
+    del book[published_layout.RECORD_SHEET]
+    book.worksheets[0]["N6"].value += 0.1
     book.save(path)
     with pytest.raises(FileError, match="35 points long; expected a square number"):
         read_workbook(path)

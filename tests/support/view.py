@@ -2,6 +2,10 @@
 
 from dataclasses import replace
 
+from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtGui import QWheelEvent
+from PySide6.QtWidgets import QApplication
+
 from qovr_core import Evaluation
 
 
@@ -20,3 +24,20 @@ def choose(view, **settings):
 def select(view, *indices):
     """Mark control points, the last one being the one that was picked last; none to mark none."""
     change(view, selected=frozenset(indices), last_selected=indices[-1] if indices else None)
+
+
+def wheel(viewport, at, notches):
+    """Turn the wheel by so many notches at a pixel."""
+    position = QPointF(*at)
+    none = Qt.KeyboardModifier.NoModifier
+    event = QWheelEvent(
+        position,
+        viewport.mapToGlobal(position),
+        QPoint(),
+        QPoint(0, 120 * notches),
+        Qt.MouseButton.NoButton,
+        none,
+        Qt.ScrollPhase.NoScrollPhase,
+        False,
+    )
+    QApplication.sendEvent(viewport, event)

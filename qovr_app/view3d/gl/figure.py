@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Generator
+
 import numpy as np
 from PySide6.QtCore import QPoint
 from PySide6.QtGui import QImage
 
-from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl.buffer import sampled_buffer
 from qovr_app.view3d.gl.surface_item import SurfaceItem
@@ -14,29 +16,35 @@ from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 
-_TILE = 2048
-"""Pixels a side of a tile: every driver has such framebuffers, also with several samples a pixel."""
+_TILE = 512
+"""Pixels a side of a tile: every driver has such framebuffers, also with several samples a pixel, and without a
+graphics card one is drawn in some hundredths of a second."""
+
+Tile = tuple[QPoint, QImage]
+"""A part of an image, and where its upper left corner goes."""
 
 
-def surface_image(picture: Picture, size: Size, pixels: tuple[int, int]) -> QImage:
-    """Return the surface of a picture, with the current context.
+def tile_count(pixels: tuple[int, int]) -> int:
+    """Return of how many tiles an image is made."""
+    return math.prod(-(-side // _TILE) for side in pixels)
+
+
+def surface_tiles(picture: Picture, size: Size, pixels: tuple[int, int]) -> Generator[Tile, None, None]:
+    """Yield the surface of a picture in tiles, each drawn with the context that is current when it is asked for.
 
     Parameters
     ----------
     size : the viewport for which the picture is laid out, in logical pixels
     pixels : width and height of the image
     """
-    result = blank_image(pixels, 1.0)
     item = SurfaceItem()
     try:
-        with painting(result) as painter:
-            for left in range(0, pixels[0], _TILE):
-                for top in range(0, pixels[1], _TILE):
-                    tile = (left, top, min(_TILE, pixels[0] - left), min(_TILE, pixels[1] - top))
-                    painter.drawImage(QPoint(left, top), _tile_image(item, picture, size, pixels, tile))
+        for left in range(0, pixels[0], _TILE):
+            for top in range(0, pixels[1], _TILE):
+                tile = (left, top, min(_TILE, pixels[0] - left), min(_TILE, pixels[1] - top))
+                yield QPoint(left, top), _tile_image(item, picture, size, pixels, tile)
     finally:
         item.release()
-    return result
 
 
 def _tile_image(

@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPointF, Qt
-from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
+from PySide6.QtGui import QKeyEvent, QNativeGestureEvent, QWheelEvent
 
 from qovr_app.view3d.interaction.keys import orbit_step, zoom_step
+from qovr_app.view3d.interaction.mouse_schemes import Motion
 from qovr_app.view3d.scene.camera import Camera, Size
+from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.probing import parameters_under
+from qovr_core.arrays import Array
 
 _DEGREES_PER_PIXEL = 0.4
 _DEGREES_PER_KEY = 5.0
@@ -15,16 +19,24 @@ _ZOOM_PER_NOTCH = 1.15
 _NOTCH = 120.0
 """Eighths of a degree that a mouse wheel turns from one notch to the next."""
 
-_PANNING_BUTTONS = Qt.MouseButton.RightButton | Qt.MouseButton.MiddleButton
+
+def pivot_under(picture: Picture, size: Size, at: QPointF) -> Array | None:
+    """Return the point (3,) of the unit space about which an orbit turns: what is seen there; None beside it."""
+    if not picture.settings.surface:
+        return None
+    found = parameters_under(picture.scene, picture.camera, size, at.x(), at.y())
+    if found is None:
+        return None
+    u, v = found
+    point: Array = picture.scene.patch.points([u], [v])[0, 0]
+    return point
 
 
-def moved_by_mouse(event: QMouseEvent, moved: QPointF, camera: Camera, size: Size) -> Camera | None:
-    """Return the camera after a move of the mouse with its buttons held; None where none is held."""
-    if event.buttons() & _PANNING_BUTTONS or event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+def moved_by_mouse(motion: Motion, moved: QPointF, camera: Camera, size: Size, pivot: Array | None) -> Camera:
+    """Return the camera after a move of the mouse."""
+    if motion is Motion.PAN:
         return camera.panned(moved.x(), moved.y(), size)
-    if event.buttons() & Qt.MouseButton.LeftButton:
-        return camera.orbited(-_DEGREES_PER_PIXEL * moved.x(), _DEGREES_PER_PIXEL * moved.y())
-    return None
+    return camera.orbited(-_DEGREES_PER_PIXEL * moved.x(), _DEGREES_PER_PIXEL * moved.y(), pivot)
 
 
 def moved_by_wheel(event: QWheelEvent, camera: Camera, size: Size) -> Camera:
@@ -51,12 +63,14 @@ def moved_by_gesture(event: QNativeGestureEvent, camera: Camera, size: Size) -> 
 
 
 def moved_by_key(event: QKeyEvent, camera: Camera, size: Size) -> Camera | None:
-    """Return the camera after a key; None for keys that mean nothing here."""
-    zoom, turn = zoom_step(event.key()), orbit_step(event.key())
+    """Return the camera after a key, Control and an arrow, or Shift and one; None for keys that mean nothing here."""
+    zoom, turn, modifiers = zoom_step(event.key()), orbit_step(event.key()), event.modifiers()
     if zoom is not None:
         return camera.zoomed(zoom, (size[0] / 2, size[1] / 2), size)
     if turn is None:
         return None
-    if event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+    if modifiers & Qt.KeyboardModifier.ShiftModifier:
         return camera.panned(_PIXELS_PER_KEY * turn[0], -_PIXELS_PER_KEY * turn[1], size)
-    return camera.orbited(_DEGREES_PER_KEY * turn[0], _DEGREES_PER_KEY * turn[1])
+    if modifiers & Qt.KeyboardModifier.ControlModifier:
+        return camera.orbited(_DEGREES_PER_KEY * turn[0], _DEGREES_PER_KEY * turn[1])
+    return None

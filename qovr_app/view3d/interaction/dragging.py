@@ -1,168 +1,243 @@
-"""Dragging a control point, from the press of the mouse to its release."""
+"""Dragging control points, from the press of the mouse to its release."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from decimal import Decimal
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, Signal, SignalInstance
+from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.gestures import next_gesture
-from qovr_app.view3d.scene.camera import Camera, Size
-from qovr_app.view3d.scene.scene import Scene
+from qovr_app.view3d.interaction.typed_number import TypedNumber
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.grip import ALONG_NORMAL, Freedom, Grip, across, along, rounded
+from qovr_app.view3d.scene.hand import DragMarks
+from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import NetIndex
+from qovr_core.geometry.closest import closest_points
 
-_DRAG_START = 3.0
+DRAG_START = 3.0
 """Pixels the mouse moves before a press becomes a drag: a click selects and must not edit."""
 
-_PARALLEL = 0.12
-"""Sine of the angle between the line of sight and an axis below which a pixel would mean a leap along the
-axis."""
+_FINE = 0.1
+"""Part of the mouse's way that a point goes while Shift is held."""
 
-_ROUNDING = 1e-9
+_STILL = 1e-9
 """Unit lengths; a coordinate that moves by less is not meant to move, as z seen from above."""
 
 
+_NO_NORMAL = 0.5
+"""A normal has length 1, but for rounding; where the surface has none, its length is 0 or no number."""
+
+
 @dataclass(frozen=True, eq=False)
-class PressedPoint:
-    """A control point as it was when the mouse went down on it; every target is computed from here.
+class HeldPoints:
+    """Control points as they were when the mouse went down on one of them.
 
     Parameters
     ----------
-    scene, camera, size : as they were then
-    index : which point
-    x, y : the pixel where the mouse went down
+    picture, size : what was seen then
+    indices : the points that move, the one in the hand first
+    freedom : what may change at first
+    is_difference : whether a typed number is the way, and not a coordinate
     """
 
-    scene: Scene
-    camera: Camera
+    picture: Picture
     size: Size
-    index: NetIndex
-    x: float
-    y: float
+    indices: tuple[NetIndex, ...]
+    freedom: Freedom
+    is_difference: bool
 
-    def target(self, x: float, y: float, axis: int | None) -> Array | None:
-        """Return where the point belongs when the mouse is at a pixel.
+    @property
+    def points(self) -> Array:
+        """Where the points were, (k, 3) in the document's units."""
+        i, j = np.array(self.indices).T
+        points: Array = self.picture.scene.document.control_points[i, j]
+        return points
 
-        Parameters
-        ----------
-        axis : 0, 1, 2 keeps to a line along X, Y, Z; None moves in the plane of the view
-
-        Returns
-        -------
-        (3,) float64 in the document's units, read-only; None where the axis points at the viewer
-        """
-        start = self.scene.points[self.index]
-        seen = self.camera.project(start[None], self.size)[0]
-        goal = np.array([seen[0] + x - self.x, seen[1] + y - self.y, seen[2]])
-        if axis is None:
-            move = self.camera.unproject(goal[None], self.size)[0] - start
-        else:
-            along = self._along(axis, start, goal)
-            if along is None:
-                return None
-            move = np.zeros(3)
-            move[axis] = along
-        move[np.abs(move) < _ROUNDING] = 0.0
-        return read_only(self.scene.document.control_points[self.index] + move / self.scene.frame.scale)
-
-    def _along(self, axis: int, start: Array, goal: Array) -> float | None:
-        """Return how far along an axis its line comes closest to the line of sight through a pixel."""
-        origin, sight = self.camera.ray(goal[0], goal[1], self.size)
-        across = 1 - sight[axis] ** 2
-        if across < _PARALLEL**2:
-            return None
-        offset = start - origin
-        return float((sight[axis] * (sight @ offset) - offset[axis]) / across)
+    def normals(self) -> Array:
+        """Return the surface's normal at its place nearest to each point, (k, 3); z where it has none."""
+        surface = self.picture.scene.surface
+        feet = closest_points(surface, self.points)
+        places = zip(feet.u.tolist(), feet.v.tolist(), strict=True)
+        normals = np.array([surface.normals([u], [v])[0, 0] for u, v in places])
+        has_normal = np.linalg.norm(normals, axis=1, keepdims=True) > _NO_NORMAL
+        return np.where(has_normal, normals, [0.0, 0.0, 1.0])
 
 
 class PointDragger(QObject):
-    """Moves the control point that is pressed in a widget, in the view's plane or along the axes that are held.
+    """Moves the control points that are held in a widget.
 
     Signals
     -------
-    dragged : i, j, the wanted coordinates (3,), and the drag's gesture number
+    dragged : the points (i, j), the one in the hand first, how far each is from where it was when the drag began,
+        (k, 3) in the document's units, and the drag's gesture number
     finished, cancelled : the gesture number
+    changed : the drag looks different
     """
 
-    dragged = Signal(int, int, object, int)
+    dragged = Signal(object, object, int)
     finished = Signal(int)
     cancelled = Signal(int)
+    changed = Signal()
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
         self._widget = widget
-        self._pressed: PressedPoint | None = None
-        self._at = QPointF()
+        self._held: HeldPoints | None = None
         self._gesture = 0
-        self._axes: list[int] = []
+        self._typed = TypedNumber()
 
     @property
     def is_pressed(self) -> bool:
-        """Whether the mouse is down on a control point."""
-        return self._pressed is not None
+        """Whether the mouse holds control points."""
+        return self._held is not None
 
     @property
     def is_dragging(self) -> bool:
-        """Whether the point has begun to move."""
+        """Whether the points have begun to move."""
         return self._gesture != 0
 
-    def holds_axis(self, axis: int) -> bool:
-        """Return whether moves keep to a line along this axis."""
-        return axis in self._axes
+    @property
+    def marks(self) -> DragMarks | None:
+        """What is seen of the drag; None where nothing moves."""
+        held = self._held
+        if held is None or not self.is_dragging:
+            return None
+        ways = np.empty((0, 3)) if len(self._grip.freedom.axes) == 3 else self._grip.ways
+        return DragMarks(held.indices, held.points, ways, self._grip.freedom, self._typed.text, self._is_difference)
 
-    def press(self, pressed: PressedPoint) -> None:
-        """Take hold of a point."""
-        self._pressed, self._at = pressed, QPointF(pressed.x, pressed.y)
+    def press(self, held: HeldPoints, at: QPointF) -> None:
+        """Take hold of points."""
+        self._held, self._pressed_at, self._at = held, at, at
+        self._begun = held.points
+        self._kept, self._moved = np.zeros_like(self._begun), np.zeros_like(self._begun)
+        self._is_fine, self._snaps = False, False
+        self._normals = held.normals() if held.freedom == ALONG_NORMAL else np.zeros_like(self._begun)
+        self._typed = TypedNumber()
+        self._grip = self._grip_of(held, held.freedom)
 
-    def move_to(self, at: QPointF) -> None:
-        """Move the point that is pressed to where it belongs under the mouse."""
-        self._at = at
-        if self._pressed is None:
+    def move_to(self, at: QPointF, *, is_fine: bool, snaps: bool) -> None:
+        """Move what is held to where it belongs under the mouse, a tenth of its way, or on multiples of the step."""
+        if self._held is None:
             return
+        if is_fine is not self._is_fine:
+            self._is_fine = is_fine
+            self._take_again(self._grip.freedom)
+        self._at, self._snaps = at, snaps
         if not self.is_dragging:
-            if (at - QPointF(self._pressed.x, self._pressed.y)).manhattanLength() < _DRAG_START:
+            if (at - self._pressed_at).manhattanLength() < DRAG_START:
                 return
             self._gesture = next_gesture()
-        target = self._pressed.target(at.x(), at.y(), self._axes[-1] if self._axes else None)
-        shape = Qt.CursorShape.ForbiddenCursor if target is None else Qt.CursorShape.ClosedHandCursor
-        self._widget.setCursor(shape)
-        if target is not None:
-            self.dragged.emit(*self._pressed.index, target, self._gesture)
+            self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
+        self._report()
 
-    def hold_axis(self, axis: int) -> None:
-        """Keep to a line along this axis from now on."""
-        self._axes.append(axis)
-        self._follow_axes()
+    def lock(self, axis: int, *, plane: bool) -> None:
+        """Keep to a line along an axis, or to the plane that it stands on; the same again frees the points."""
+        if self._held is None:
+            return
+        wanted = across(axis) if plane else along(axis)
+        self._typed = TypedNumber()
+        self._take_again(self._held.freedom if self._grip.freedom == wanted else wanted)
+        self.changed.emit()
 
-    def let_axis_go(self, axis: int) -> None:
-        """Keep to a line along this axis no longer."""
-        self._axes.remove(axis)
-        self._follow_axes()
-
-    def let_axes_go(self) -> None:
-        """Keep to no line any more, from the next move on."""
-        self._axes.clear()
+    def type(self, event: QKeyEvent) -> None:
+        """Take a key of a number; while one stands there, the mouse is not followed."""
+        if self.is_dragging and self._is_one_way and self._typed.take(event):
+            self._report()
 
     def finish(self) -> None:
-        """End a drag, if there is one, where the point is now."""
+        """End a drag, if there is one, where the points are now."""
         self._end(self.finished)
 
     def cancel(self) -> None:
-        """End a drag, if there is one; the point goes back."""
+        """End a drag, if there is one; the points go back."""
         self._end(self.cancelled)
 
     def drop(self) -> None:
-        """Let go of the point, without a word."""
-        self._gesture, self._pressed = 0, None
+        """Let go of the points, without a word."""
+        self._gesture, self._held = 0, None
+        self.changed.emit()
 
-    def _follow_axes(self) -> None:
-        if self.is_dragging:
-            self.move_to(self._at)
+    @property
+    def _step(self) -> float | None:
+        """What the points' coordinates are multiples of; None where they are free."""
+        return self._held.picture.tools.snap_step if self._held is not None and self._snaps else None
+
+    @property
+    def _is_one_way(self) -> bool:
+        return self._grip.freedom.axis is not None or self._grip.freedom.along_normal
+
+    @property
+    def _is_difference(self) -> bool:
+        held = self._held
+        return held is not None and (held.is_difference or len(held.indices) > 1 or self._grip.freedom.along_normal)
+
+    def _grip_of(self, held: HeldPoints, freedom: Freedom) -> Grip:
+        return Grip(
+            held.picture.scene.frame,
+            held.picture.camera,
+            held.size,
+            self._begun[0] + self._moved[0],
+            self._normals[0],
+            (self._at.x(), self._at.y()),
+            freedom,
+            _FINE if self._is_fine else 1.0,
+        )
+
+    def _take_again(self, freedom: Freedom) -> None:
+        """Go on from where the points are now: with another fineness or freedom, the mouse's way means another."""
+        if self._held is not None:
+            self._kept = self._moved
+            self._grip = self._grip_of(self._held, freedom)
+
+    def _report(self) -> None:
+        """Say where the points belong now."""
+        if self._held is None:
+            return
+        if self._typed.text:
+            self._move_as_typed()
+        else:
+            self._move_as_pointed()
+        self.dragged.emit(self._held.indices, read_only(self._moved.copy()), self._gesture)
+        self.changed.emit()
+
+    def _move_as_typed(self) -> None:
+        value, axis = self._typed.value, self._grip.freedom.axis
+        if value is None:
+            return
+        moved = self._kept.copy()
+        if axis is None:
+            moved = self._kept + value * self._normals
+        else:
+            moved[:, axis] = value if self._is_difference else _apart(value, self._begun[0, axis])
+        self._moved = moved
+
+    def _move_as_pointed(self) -> None:
+        """Follow the mouse, in numbers no finer than what a pixel means."""
+        grip = self._grip
+        step, move = self._step, grip.moved(self._at.x(), self._at.y())
+        if grip.freedom.along_normal:
+            length = rounded(np.array([move @ grip.normal]), grip.pixel.min(keepdims=True), step)
+            self._moved = self._kept + length * self._normals
+            return
+        is_still = np.abs(move * grip.frame.scale) < _STILL
+        target = rounded(grip.point + move, grip.pixel, step)
+        lead = np.array([_apart(*pair) for pair in zip(target.tolist(), self._begun[0].tolist(), strict=True)])
+        moved = self._kept + (lead - self._kept[0])
+        self._moved = np.where(is_still, self._kept, moved)
 
     def _end(self, ended: SignalInstance) -> None:
-        gesture, self._gesture, self._pressed = self._gesture, 0, None
+        gesture, self._gesture, self._held = self._gesture, 0, None
         if gesture:
             ended.emit(gesture)
+        self.changed.emit()
+
+
+def _apart(value: float, origin: float) -> float:
+    """Return the difference of two numbers as their decimals say it: 0.3 and 0.1 are 0.2 apart."""
+    return float(Decimal(repr(float(value))) - Decimal(repr(float(origin))))

@@ -9,13 +9,24 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.view3d.interaction.camera_input import moved_by_gesture, moved_by_key, moved_by_mouse, moved_by_wheel
-from qovr_app.view3d.interaction.dragging import PointDragger, PressedPoint
-from qovr_app.view3d.interaction.keys import AXIS_KEYS, arrow_step, next_point
-from qovr_app.view3d.interaction.picking import pick
+from qovr_app.state.looking_intents import Picking
+from qovr_app.view3d.interaction.camera_input import moved_by_gesture, moved_by_key, moved_by_wheel
+from qovr_app.view3d.interaction.dragging import PointDragger
+from qovr_app.view3d.interaction.keys import arrow_step, axis_of
+from qovr_app.view3d.interaction.mouse import Mouse
+from qovr_app.view3d.interaction.picking import gizmo_under, points_under
 from qovr_app.view3d.scene.camera import Camera, Size
+from qovr_app.view3d.scene.grip import Freedom
+from qovr_app.view3d.scene.hand import Hand
 from qovr_app.view3d.scene.picture import Picture
-from qovr_core.document import NetIndex
+
+KEPT_POINTS = "A control net keeps all its points. Move one, or make the net flat or symmetric by the Edit menu."
+"""What is said instead of deleting."""
+
+_LOST = (QEvent.Type.FocusOut, QEvent.Type.WindowDeactivate, QEvent.Type.Hide, QEvent.Type.UngrabMouse)
+"""After these nobody tells where the mouse is, or that its button was released."""
+
+_ENTER = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
 
 
 class Watched(Protocol):
@@ -30,8 +41,10 @@ class Watched(Protocol):
 class Interactor(QObject):
     """Watches the events of one viewport. It reports; the view decides.
 
-    ``camera_requested(Camera)``; ``pointed`` with the mouse's x and y, or None when it has left; ``hovered`` and
-    ``selected`` with a net index or None. What is dragged reports the ``dragger``.
+    ``camera_requested(Camera)``; ``pointed`` with the mouse's x and y, or None when it has left; ``hovered`` with a net
+    index or None; ``said`` with a sentence for the user; ``radius_turned`` with the notches that the wheel went while
+    points were dragged softly; ``changed()`` when something else is to be drawn. What is picked reports the ``mouse``,
+    what is dragged the ``dragger``.
 
     Parameters
     ----------
@@ -41,16 +54,29 @@ class Interactor(QObject):
     camera_requested = Signal(object)
     pointed = Signal(object)
     hovered = Signal(object)
-    selected = Signal(object)
+    said = Signal(str)
+    radius_turned = Signal(float)
+    changed = Signal()
 
     def __init__(self, viewport: Watched, picture: Callable[[], Picture | None]) -> None:
         super().__init__(viewport.widget)
-        self._viewport, self._widget, self._picture = viewport, viewport.widget, picture
-        self.dragger = PointDragger(self._widget)
-        self._last = QPointF()
-        self._widget.setMouseTracking(True)
-        self._widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self._widget.installEventFilter(self)
+        self._viewport, self.widget, self._picture = viewport, viewport.widget, picture
+        self.dragger = PointDragger(self.widget)
+        self.mouse = Mouse(self.dragger)
+        self._freedom: Freedom | None = None
+        self._letter_is_down = False
+        self.mouse.camera_requested.connect(self.camera_requested)
+        for part in (self.mouse, self.dragger):
+            part.changed.connect(self.changed)
+        self.widget.setMouseTracking(True)
+        self.widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.widget.installEventFilter(self)
+
+    @property
+    def hand(self) -> Hand:
+        """What is seen of the mouse in this viewport."""
+        marks = self.dragger.marks
+        return Hand(self._freedom if marks is None else marks.freedom, marks, self.mouse.band)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         picture = self._picture()
@@ -61,16 +87,15 @@ class Interactor(QObject):
         if isinstance(event, QKeyEvent):
             return self._on_key(event, picture)
         if isinstance(event, QWheelEvent):
-            return self.dragger.is_dragging or self._request(
-                moved_by_wheel(event, picture.camera, self._viewport.logical_size)
-            )
+            return self._on_wheel(event, picture)
         if isinstance(event, QNativeGestureEvent):
-            return self._request(moved_by_gesture(event, picture.camera, self._viewport.logical_size))
+            size = self._viewport.logical_size
+            return self.mouse.is_held or self._request(moved_by_gesture(event, picture.camera, size))
         if event.type() == QEvent.Type.Leave:
             self.hovered.emit(None)
             self.pointed.emit(None)
-        elif event.type() == QEvent.Type.FocusOut:
-            self.dragger.let_axes_go()
+        elif event.type() in _LOST and self.mouse.is_held:
+            self.mouse.put_back()
         return False
 
     def _request(self, camera: Camera | None) -> bool:
@@ -79,111 +104,105 @@ class Interactor(QObject):
             self.camera_requested.emit(camera)
         return camera is not None
 
-    def _pick(self, at: QPointF, picture: Picture) -> NetIndex | None:
-        if not picture.settings.control_points:
-            return None
-        return pick(picture.scene, picture.camera, self._viewport.logical_size, at.x(), at.y())
-
     # The mouse
 
     def _on_mouse(self, event: QMouseEvent, picture: Picture) -> bool:
-        kind = event.type()
-        if kind in (QEvent.Type.MouseButtonPress, QEvent.Type.MouseButtonDblClick):
-            self._on_press(event, picture)
-        elif kind == QEvent.Type.MouseMove:
-            self._on_move(event, picture)
-        elif kind == QEvent.Type.MouseButtonRelease:
-            self._on_release(event)
+        size = self._viewport.logical_size
+        if event.type() == QEvent.Type.MouseButtonPress:
+            self.widget.setFocus(Qt.FocusReason.MouseFocusReason)
+            self.mouse.press(event, picture, size)
+        elif event.type() == QEvent.Type.MouseButtonDblClick:
+            self.mouse.double_click(event, picture, size)
+        elif event.type() == QEvent.Type.MouseMove:
+            self.pointed.emit((event.position().x(), event.position().y()))
+            self.mouse.move(event, self._without_letter(event.modifiers()), picture, size)
+            if not event.buttons():
+                self._hover(event.position())
+        elif event.type() == QEvent.Type.MouseButtonRelease:
+            self.mouse.release(event, picture, size)
+            if not event.buttons():
+                self._hover(event.position())
         else:
             return False
         return True
 
-    def _on_press(self, event: QMouseEvent, picture: Picture) -> None:
-        at = self._last = event.position()
-        self._widget.setFocus(Qt.FocusReason.MouseFocusReason)
-        if event.button() == Qt.MouseButton.LeftButton and not event.modifiers():
-            index = self._pick(at, picture)
-            if index is not None:
-                size = self._viewport.logical_size
-                self.dragger.press(PressedPoint(picture.scene, picture.camera, size, index, at.x(), at.y()))
-            self._select(index, picture)
-
-    def _on_release(self, event: QMouseEvent) -> None:
-        if event.button() == Qt.MouseButton.LeftButton:
-            self.dragger.finish()
-            self._hover(event.position())
-
-    def _on_move(self, event: QMouseEvent, picture: Picture) -> None:
-        at, moved = event.position(), event.position() - self._last
-        self._last = at
-        self.pointed.emit((at.x(), at.y()))
-        if not event.buttons():
-            self._hover(at)
-        elif self.dragger.is_pressed:
-            self.dragger.move_to(at)
-        else:
-            self._request(moved_by_mouse(event, moved, picture.camera, self._viewport.logical_size))
+    def _on_wheel(self, event: QWheelEvent, picture: Picture) -> bool:
+        if self.dragger.is_dragging and picture.tools.soft and event.angleDelta().y():
+            self.radius_turned.emit(event.angleDelta().y() / 120)
+        if self.mouse.is_held:
+            return True
+        return self._request(moved_by_wheel(event, picture.camera, self._viewport.logical_size))
 
     def _hover(self, at: QPointF) -> None:
-        picture = self._picture()  # a drag that has just ended leaves another one
-        index = self._pick(at, picture) if picture is not None else None
-        self._widget.setCursor(Qt.CursorShape.ArrowCursor if index is None else Qt.CursorShape.PointingHandCursor)
-        self.hovered.emit(index)
+        picture, size = self._picture(), self._viewport.logical_size  # a drag that has just ended leaves another one
+        freedom = None if picture is None else gizmo_under(picture, size, at.x(), at.y())
+        points = points_under(picture, size, at.x(), at.y()) if picture is not None and freedom is None else []
+        is_free = freedom is None and not points
+        self.widget.setCursor(Qt.CursorShape.ArrowCursor if is_free else Qt.CursorShape.PointingHandCursor)
+        if freedom != self._freedom:
+            self._freedom = freedom
+            self.changed.emit()
+        self.hovered.emit(points[0] if points else None)
 
     # Keys
 
     def _on_key(self, event: QKeyEvent, picture: Picture) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride:
-            return self._claim(event)
-        if event.type() == QEvent.Type.KeyPress:
-            return self._on_key_press(event, picture)
-        axis = AXIS_KEYS.get(event.key())
-        if axis is None or not self.dragger.holds_axis(axis):
-            return False
-        if not event.isAutoRepeat():
-            self.dragger.let_axis_go(axis)
-        return True
+            if self.dragger.is_pressed:  # whatever shortcuts the window has, a drag is not disturbed
+                event.accept()
+            return self.dragger.is_pressed
+        if self.dragger.is_pressed:
+            self._on_key_in_drag(event, picture)
+            return True
+        return event.type() == QEvent.Type.KeyPress and self._on_key_press(event, picture)
 
-    def _claim(self, event: QKeyEvent) -> bool:
-        """Claim the axis keys and Escape during a drag, whatever shortcuts the window has."""
-        is_claimed = self.dragger.is_pressed and (event.key() in AXIS_KEYS or event.key() == Qt.Key.Key_Escape)
-        if is_claimed:
-            event.accept()
-        return is_claimed
+    def _on_key_in_drag(self, event: QKeyEvent, picture: Picture) -> None:
+        key, axis, is_press = event.key(), axis_of(event), event.type() == QEvent.Type.KeyPress
+        if axis is not None:
+            if not event.isAutoRepeat():
+                self._letter_is_down = is_press
+                if is_press:
+                    self.dragger.lock(axis, plane=_has_shift(event.modifiers()))
+                self.mouse.follow_modifiers(self._without_letter(event.modifiers()), picture)
+        elif key in (Qt.Key.Key_Shift, Qt.Key.Key_Control):
+            changed = (
+                Qt.KeyboardModifier.ShiftModifier if key == Qt.Key.Key_Shift else Qt.KeyboardModifier.ControlModifier
+            )
+            held = event.modifiers() | changed if is_press else event.modifiers() & ~changed
+            self.mouse.follow_modifiers(self._without_letter(held), picture)
+        elif is_press and key == Qt.Key.Key_Escape:
+            self.mouse.put_back()
+        elif is_press and key in _ENTER:
+            self.mouse.commit()
+        elif is_press:
+            self.dragger.type(event)
+
+    def _without_letter(self, modifiers: Qt.KeyboardModifier) -> Qt.KeyboardModifier:
+        """Return the modifiers without Shift while it belongs to the letter of an axis."""
+        return modifiers & ~Qt.KeyboardModifier.ShiftModifier if self._letter_is_down else modifiers
 
     def _on_key_press(self, event: QKeyEvent, picture: Picture) -> bool:
         key, selected, shape = event.key(), picture.last_selected, picture.scene.net_shape
-        if key in AXIS_KEYS and self.dragger.is_pressed:
-            if not event.isAutoRepeat():
-                self.dragger.hold_axis(AXIS_KEYS[key])
-            return True
         if key == Qt.Key.Key_Escape:
-            return self._escape(picture)
-        if key in (Qt.Key.Key_Tab, Qt.Key.Key_Backtab):
-            return self._step_to(next_point(selected, shape, forward=key == Qt.Key.Key_Tab), picture)
-        if selected is not None and not event.modifiers():
+            if self.mouse.is_held:
+                self.mouse.put_back()
+            elif picture.selected:
+                self.mouse.picked.emit((), Picking.REPLACE)
+            else:
+                return False
+            return True
+        if key == Qt.Key.Key_Delete:
+            self.said.emit(KEPT_POINTS)
+            return True
+        if self.mouse.is_held:
+            return False
+        if not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier and picture.settings.control_points:
             step = arrow_step(selected, shape, key, picture.camera)
             if step is not None:
-                return self._step_to(step, picture)
-        if self.dragger.is_dragging:
-            return False
+                self.mouse.picked.emit((step,), Picking.REPLACE)
+                return True
         return self._request(moved_by_key(event, picture.camera, self._viewport.logical_size))
 
-    def _escape(self, picture: Picture) -> bool:
-        if self.dragger.is_pressed:
-            self.dragger.cancel()
-        elif picture.last_selected is not None:
-            self.selected.emit(None)
-        else:
-            return False
-        return True
 
-    def _step_to(self, index: NetIndex | None, picture: Picture) -> bool:
-        if index is None or self.dragger.is_pressed or not picture.settings.control_points:
-            return False
-        self._select(index, picture)
-        return True
-
-    def _select(self, index: NetIndex | None, picture: Picture) -> None:
-        if index != picture.last_selected:
-            self.selected.emit(index)
+def _has_shift(modifiers: Qt.KeyboardModifier) -> bool:
+    return bool(modifiers & Qt.KeyboardModifier.ShiftModifier)

@@ -7,20 +7,20 @@ from PySide6.QtCore import QLineF, QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.style.theme import Theme
-from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size
+from qovr_app.view3d.painter.axis_texts import TICK_LENGTH, draw_axis_texts
+from qovr_app.view3d.painter.colour_bar import bar_rect
+from qovr_app.view3d.painter.text import NORMAL, draw_text, plain
 from qovr_app.view3d.scene.axes import AxisEdge, axes_box
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.picture import Picture, has_colour_bar
 from qovr_core.arrays import Array
-
-_TICK_LENGTH = 4.0
-_TEXT_GAP = 5.0
 
 
 def backdrop_key(picture: Picture, size: Size) -> tuple[object, ...]:
     """Return what the backdrop depends on: while it stays equal, a drawn backdrop can be used again."""
     limits, settings = picture.scene.frame.limits.tobytes(), picture.settings
-    return size, picture.camera, limits, settings.axes, settings.theme, settings.scaling, picture.caption
+    has_bar = has_colour_bar(settings, size)
+    return size, picture.camera, limits, settings.axes, settings.theme, settings.scaling, has_bar, picture.caption
 
 
 def draw_backdrop(painter: QPainter, picture: Picture, size: Size, *, transparent: bool = False) -> None:
@@ -42,6 +42,8 @@ def draw_backdrop(painter: QPainter, picture: Picture, size: Size, *, transparen
         painter.drawLines(_lines(box.grid))
         for edge in box.edges:
             _draw_edge(painter, edge, theme)
+        right = bar_rect(size).left() if has_colour_bar(picture.settings, size) else size[0]
+        draw_axis_texts(painter, box.edges, theme, (right, size[1]))
     if picture.caption:
         draw_text(painter, plain(picture.caption), (14, 12), (0, 0), theme.quiet_ink, pixels=NORMAL)
 
@@ -61,13 +63,5 @@ def _draw_panes(painter: QPainter, panes: Array, theme: Theme, *, filled: bool) 
 def _draw_edge(painter: QPainter, edge: AxisEdge, theme: Theme) -> None:
     painter.setPen(QPen(QColor(*theme.axis), 1.0))
     painter.drawLine(QLineF(*edge.start.tolist(), *edge.end.tolist()))
-    tips = edge.ticks + _TICK_LENGTH * edge.outward
+    tips = edge.ticks + TICK_LENGTH * edge.outward
     painter.drawLines(_lines(np.stack([edge.ticks, tips], axis=1)))
-    alignment = (0.5 - edge.outward[0] / 2, 0.5 - edge.outward[1] / 2)
-    places = edge.ticks + (_TICK_LENGTH + _TEXT_GAP) * edge.outward
-    for place, text in zip(places.tolist(), edge.texts, strict=True):
-        draw_text(painter, plain(text), tuple(place), alignment, theme.quiet_ink)
-    sizes = [text_size(plain(text), SMALL) for text in edge.texts]
-    reach = max((abs(edge.outward[0]) * w + abs(edge.outward[1]) * h for w, h in sizes), default=0.0)
-    place = (edge.start + edge.end) / 2 + (_TICK_LENGTH + 2 * _TEXT_GAP + reach) * edge.outward
-    draw_text(painter, plain(edge.title), tuple(place.tolist()), alignment, theme.ink, pixels=NORMAL)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from decimal import Decimal
 from functools import lru_cache
 
 import numpy as np
@@ -15,13 +16,14 @@ from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
-from qovr_app.style.ticks import tick_positions
+from qovr_app.style.tick_labels import TickLabels, tick_labels
+from qovr_app.style.ticks import is_flat, tick_positions
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
-from qovr_core.number_texts import power_text, significant_text, tick_texts
+from qovr_core.number_texts import power_text, significant_text
 
 _WIDTH = 14.0
 _RIGHT = 78.0
@@ -32,6 +34,9 @@ _TALLEST = 420.0
 _TICK_ROOM = 34.0
 _TICK_LENGTH, _TICK_GAP = 3.0, 6.0
 _ARROW = 9.0
+_NOTE_ROOM, _BORDER = 100.0, 2.0
+"""At the left of the bar, for what its numbers share; and between that and the viewport's border."""
+
 _FACTOR_GAP = 9.0
 _PLAIN_POWERS = range(-1, 4)
 """Powers of ten of numbers that are written in full; what is smaller or larger has its power over the bar."""
@@ -62,7 +67,7 @@ def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
         return
     bar = _Bar(colouring, picture.theme, size)
     if isinstance(painter.device(), QImage):
-        left = bar_rect(size).left() - 1
+        left = max(0.0, bar_rect(size).left() - _NOTE_ROOM)
         painter.drawImage(QPointF(left, 0), _drawn(bar, left, painter.device().devicePixelRatioF()))
     else:
         _draw(painter, bar)
@@ -112,28 +117,37 @@ def _draw_arrows(painter: QPainter, rect: QRectF, bar: _Bar) -> None:
 
 
 def draw_ticks(painter: QPainter, rect: QRectF, colouring: Colouring, theme: Theme) -> float:
-    """Draw ticks with their numbers, and the power of ten they are multiples of; return the widest number."""
-    low, high = colouring.limits
+    """Draw ticks with their numbers, and over the bar what these share; return the widest number."""
     values, parts = _ticks(rect, colouring)
-    power = _common_power(max(abs(low), abs(high)))
-    texts = (
-        tick_texts((values / 10.0**power).tolist()) if high > low else [significant_text(low / 10.0**power, _DIGITS)]
+    labels = (
+        tick_labels(values.tolist(), _PLAIN_POWERS)
+        if colouring.limits[1] > colouring.limits[0]
+        else _label_alone(colouring.limits[0])
     )
-    for part, text in zip(parts.tolist(), texts, strict=True):
+    for part, text in zip(parts.tolist(), labels.texts, strict=True):
         tick = tick_line(rect, part, _TICK_LENGTH)
         painter.setPen(QPen(QColor(*theme.axis), 1.0))
         painter.drawLine(tick)
         draw_text(painter, plain(text), (rect.right() + _TICK_GAP, tick.y1()), (0, 0.5), theme.quiet_ink)
-    if power:
-        over = rect.left(), rect.top() - _FACTOR_GAP - (_ARROW if colouring.beyond[1] else 0.0)
-        draw_text(painter, plain(power_text(power)), over, (0, 0.5), theme.quiet_ink)
-    return max((text_size(plain(text), SMALL)[0] for text in texts), default=0.0)
+    if labels.note:
+        width = text_size(plain(labels.note), SMALL)[0]
+        left = min(rect.left(), rect.left() + _RIGHT - _BORDER - width)
+        over = left, rect.top() - _FACTOR_GAP - (_ARROW if colouring.beyond[1] else 0.0)
+        draw_text(painter, plain(labels.note), over, (0, 0.5), theme.quiet_ink)
+    return max((text_size(plain(text), SMALL)[0] for text in labels.texts), default=0.0)
+
+
+def _label_alone(value: float) -> TickLabels:
+    """Return the label of the one value that is everywhere."""
+    power = _common_power(abs(value))
+    factor = float(Decimal(value).scaleb(-power))
+    return TickLabels([significant_text(factor, _DIGITS)], power_text(power) if power else "")
 
 
 def _ticks(rect: QRectF, colouring: Colouring) -> tuple[Array, Array]:
     """Return the values that have a tick and which part of the bar each belongs to."""
     low, high = colouring.limits
-    if not high > low:
+    if is_flat(low, high):
         return np.array([low]), np.array([0.5])
     if colouring.pattern is None:
         values = tick_positions(low, high, int(rect.height() / _TICK_ROOM))

@@ -6,7 +6,7 @@ from PySide6.QtCore import QRectF
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from qovr_app.style.theme import Theme
-from qovr_app.view3d.painter.text import NORMAL, draw_text, text_size, wrapped
+from qovr_app.view3d.painter.text import NORMAL, draw_text, plain, text_size, wrapped
 from qovr_app.view3d.scene.camera import Size
 
 _TOP = 46.0
@@ -15,6 +15,7 @@ _TOP = 46.0
 _PAD_X, _PAD_Y, _LEADING = 10.0, 6.0, 18.0
 _SIDE = 48.0
 _OPACITY = 0.92
+_HINT_BOTTOM = 8.0
 
 
 def draw_note(painter: QPainter, text: str, theme: Theme, size: Size) -> None:
@@ -27,6 +28,12 @@ def draw_note(painter: QPainter, text: str, theme: Theme, size: Size) -> None:
     for k, line in enumerate(lines):
         middle = plate.center().x(), plate.top() + _PAD_Y + _LEADING * (k + 0.5)
         draw_text(painter, line, middle, (0.5, 0.5), theme.ink, pixels=NORMAL)
+
+
+def draw_hint(painter: QPainter, text: str, theme: Theme, size: Size) -> None:
+    """Draw a quiet line at the bottom of the viewport."""
+    place = size[0] / 2, size[1] - _HINT_BOTTOM
+    draw_text(painter, plain(text), place, (0.5, 1), theme.quiet_ink, pixels=NORMAL, halo=theme.background)
 
 
 def draw_plate(painter: QPainter, plate: QRectF, theme: Theme) -> None:

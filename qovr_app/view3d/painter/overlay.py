@@ -10,22 +10,21 @@ import numpy as np
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from qovr_app.state.display import Style
 from qovr_app.view3d.painter.colour_bar import draw_colour_bar
+from qovr_app.view3d.painter.hand import draw_hand
 from qovr_app.view3d.painter.lines import COMPARISON_WIDTH, draw_lines, lines_of
 from qovr_app.view3d.painter.net_points import draw_labels, draw_points
-from qovr_app.view3d.painter.note import draw_note
+from qovr_app.view3d.painter.note import draw_hint, draw_note
 from qovr_app.view3d.painter.readout import draw_readout
 from qovr_app.view3d.painter.text import NORMAL, draw_text, plain, text_size
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.occlusion import Occluder
+from qovr_app.view3d.scene.occlusion import hidden_by
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
-from qovr_core.arrays import Array, Flags
+
+LEAVES_FRAME = "Something lies outside the axes: F fits"
 
 _LEGEND, _LEGEND_LINE, _LEGEND_GAP = (14.0, 20.0), 22.0, 20.0
 """Where the legend of a surface drawn over another begins without a caption, its line, and its distance from one."""
-
-_OPAQUE_STYLES = (Style.FACETS, Style.SMOOTH)
 
 
 def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
@@ -35,7 +34,7 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
     # In one query: asking the surface what it hides costs about as much for one mark as for all.
     marks = [*(lines.points for lines in families), points]
     every = np.concatenate([part.reshape(-1, 3) for part in marks])
-    seen, hidden = picture.camera.project(every, size)[:, :2], _hidden(picture, every, size)
+    seen, hidden = picture.camera.project(every, size)[:, :2], hidden_by(picture, every, size)
     ends = np.cumsum([part.size // 3 for part in marks])[:-1]
     seen_parts, hidden_parts = np.split(seen, ends), np.split(hidden, ends)
     places = [part.reshape(*mark.shape[:2], 2) for part, mark in zip(seen_parts, marks, strict=True)]
@@ -46,6 +45,7 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
         draw_points(painter, picture, places[-1], flags[-1])
     if settings.labels:
         draw_labels(painter, picture, places[-1], flags[-1])
+    draw_hand(painter, picture, size)
     _draw_words(painter, picture, size)
 
 
@@ -58,15 +58,10 @@ def _draw_words(painter: QPainter, picture: Picture, size: Size) -> None:
         draw_colour_bar(painter, picture, size)
     if settings.surface and picture.colouring.note:
         draw_note(painter, picture.colouring.note, picture.theme, size)
+    if picture.leaves_frame:
+        draw_hint(painter, LEAVES_FRAME, picture.theme, size)
     if picture.probed is not None:
         draw_readout(painter, picture, picture.probed, size)
-
-
-def _hidden(picture: Picture, marks: Array, size: Size) -> Flags:
-    """Return which marks (k, 3) the surface hides; nothing where one can look through it."""
-    if not picture.settings.surface or picture.settings.style not in _OPAQUE_STYLES:
-        return np.zeros(len(marks), dtype=bool)
-    return Occluder(picture.scene.patch, picture.camera, size).hidden(marks)
 
 
 def _draw_legend(painter: QPainter, picture: Picture) -> None:

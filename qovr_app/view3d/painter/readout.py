@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+from collections.abc import Iterable
 
+import numpy as np
 from PySide6.QtCore import QPointF, QRectF
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from qovr_app.view3d.painter.note import draw_plate
-from qovr_app.view3d.painter.text import SMALL, draw_text, plain, with_subscripts
+from qovr_app.view3d.painter.text import SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.frame import Frame
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.probing import Parameters, Reading, reading_at
 from qovr_core.number_texts import significant_text
@@ -18,7 +22,9 @@ _CORNER = (10.0, 34.0)
 """Below the caption that tells two viewports apart."""
 
 _PAD, _ROW, _LABEL, _COLUMN = 8.0, 16.0, 62.0, 68.0
-_DIGITS = 5
+_GAP = 8.0
+_DIGITS, _MOST_DIGITS = 5, 16
+_COORDINATES = "x, y, z"
 _RING = 5.0
 
 Rows = list[tuple[str, tuple[float, ...]]]
@@ -28,7 +34,7 @@ def readout_rows(reading: Reading) -> Rows:
     """Return what each line says: names, the letters after ``_`` being a subscript, and their numbers."""
     rows: Rows = [
         ("u, v", (reading.u, reading.v)),
-        ("x, y, z", tuple(reading.point.tolist())),
+        (_COORDINATES, tuple(reading.point.tolist())),
         ("normal", tuple(reading.normal.tolist())),
     ]
     of_curvature = [(field.symbol, value) for field, value in reading.curvatures.items()]
@@ -53,19 +59,35 @@ def draw_readout(painter: QPainter, picture: Picture, probed: Parameters, size: 
             painter.setBrush(QColor(0, 0, 0, 0))
             painter.drawEllipse(QPointF(x, y), _RING, _RING)
     rows = readout_rows(reading_at(scene, probed, picture.settings.colour_by))
-    columns = max(len(numbers) for _, numbers in rows)
-    plate = QRectF(*_CORNER, 2 * _PAD + _LABEL + columns * _COLUMN, 2 * _PAD + len(rows) * _ROW)
+    texts = [
+        [_number(*each) for each in zip(numbers, _digits(name, scene.frame), strict=False)] for name, numbers in rows
+    ]
+    widths = [max(_COLUMN, *(text_size(plain(text), SMALL)[0] + _GAP for text in column)) for column in _columns(texts)]
+    plate = QRectF(*_CORNER, 2 * _PAD + _LABEL + sum(widths), 2 * _PAD + len(rows) * _ROW)
     draw_plate(painter, plate, theme)
-    for k, (name, numbers) in enumerate(rows):
+    for k, ((name, _), numbers) in enumerate(zip(rows, texts, strict=True)):
         middle = plate.top() + _PAD + (k + 0.5) * _ROW
         draw_text(painter, with_subscripts(name), (plate.left() + _PAD, middle), (0, 0.5), theme.quiet_ink)
-        for column, number in enumerate(numbers):
-            right = plate.left() + _PAD + _LABEL + (column + 1) * _COLUMN
-            draw_text(painter, plain(_number(number)), (right, middle), (1, 0.5), theme.ink, pixels=SMALL)
+        for text, right in zip(numbers, itertools.accumulate(widths), strict=False):
+            place = plate.left() + _PAD + _LABEL + right, middle
+            draw_text(painter, plain(text), place, (1, 0.5), theme.ink, pixels=SMALL)
 
 
-def _number(value: float) -> str:
+def _columns(texts: list[list[str]]) -> list[list[str]]:
+    """Return the texts below one another, of rows that are not equally long."""
+    return [[row[k] for row in texts if k < len(row)] for k in range(max(map(len, texts)))]
+
+
+def _digits(name: str, frame: Frame) -> Iterable[int]:
+    """Return how many digits the numbers of a row have: coordinates far from 0 more, which tell neighbours apart."""
+    if name != _COORDINATES:
+        return itertools.repeat(_DIGITS)
+    shared = np.log10(np.abs(frame.limits).max(axis=1) / np.ptp(frame.limits, axis=1))
+    return [min(_DIGITS + max(0, int(more)), _MOST_DIGITS) for more in shared.tolist()]
+
+
+def _number(value: float, digits: int) -> str:
     """Return a number with as many digits as can be told from its neighbours."""
     if math.isnan(value):
         return "undefined"
-    return significant_text(value, _DIGITS)
+    return significant_text(value, digits)

@@ -6,11 +6,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from qovr_app.style.tick_labels import TickLabels, tick_labels
 from qovr_app.style.ticks import tick_positions
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.frame import Frame
 from qovr_core.arrays import Array
-from qovr_core.number_texts import tick_texts
 
 TITLES = ("X-Axis", "Y-Axis", "Z-Axis")
 
@@ -34,7 +34,7 @@ _TIE = 1.5
 class AxisEdge:
     """One edge of the box that carries ticks; everything in logical pixels.
 
-    ``start`` and ``end`` (2,), ``ticks`` (k, 2) with ``texts``, ``outward`` (2,) a unit vector away from
+    ``start`` and ``end`` (2,), ``ticks`` (k, 2) with their ``labels``, ``outward`` (2,) a unit vector away from
     the box.
     """
 
@@ -42,7 +42,7 @@ class AxisEdge:
     start: Array
     end: Array
     ticks: Array
-    texts: list[str]
+    labels: TickLabels
     outward: Array
 
 
@@ -75,7 +75,7 @@ def axes_box(frame: Frame, camera: Camera, size: Size) -> AxesBox:
         along[:, axis] = units[axis]
         ticks = camera.project(along, size)[:, :2]
         on_screen = camera.project(ends, size)[:, :2]
-        edge = _axis_edge(TITLES[axis], on_screen, ticks, tick_texts(positions[axis].tolist()), middle)
+        edge = _axis_edge(TITLES[axis], on_screen, ticks, tick_labels(positions[axis].tolist()), middle)
         if edge is not None:
             edges.append(edge)
     return AxesBox(panes=camera.project(panes, size)[..., :2], grid=camera.project(grid, size)[..., :2], edges=edges)
@@ -137,7 +137,7 @@ def _panes(sides: Array, half: Array, units: list[Array]) -> tuple[Array, Array]
     return np.array(panes), np.concatenate(grid)
 
 
-def _axis_edge(title: str, ends: Array, ticks: Array, texts: list[str], middle: Array) -> AxisEdge | None:
+def _axis_edge(title: str, ends: Array, ticks: Array, labels: TickLabels, middle: Array) -> AxisEdge | None:
     """Return an edge with what it carries, all in pixels; None where it is too short to carry anything."""
     start, end = ends
     length = float(np.hypot(*(end - start)))
@@ -146,4 +146,4 @@ def _axis_edge(title: str, ends: Array, ticks: Array, texts: list[str], middle: 
     outward = np.array([end[1] - start[1], start[0] - end[0]]) / length
     if outward @ ((start + end) / 2 - middle) < 0:
         outward = -outward
-    return AxisEdge(title, start, end, ticks, texts, outward)
+    return AxisEdge(title, start, end, ticks, labels, outward)

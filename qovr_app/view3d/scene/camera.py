@@ -29,6 +29,9 @@ _NEAREST = 1e-3
 SPAN_LIMITS = (1e-3, 60.0)
 """Unit lengths across the smaller side: from a thousandth of the surface to a surface a few pixels wide."""
 
+_AROUND = 1.4
+"""Unit lengths across a view of a single point, and of how many times the extent of several."""
+
 _BEHIND = 1e-9
 """Points with w below this lie in or behind the eye's plane and have no place on the screen."""
 
@@ -137,10 +140,19 @@ class Camera:
         """Return the unit lengths that one logical pixel covers at the centre's depth."""
         return self.span / min(size)
 
-    def orbited(self, azimuth: float, elevation: float) -> Camera:
-        """Return the camera turned by degrees; it stops at the poles, so that up stays up."""
+    def orbited(self, azimuth: float, elevation: float, about: Array | None = None) -> Camera:
+        """Return the camera turned by degrees; it stops at the poles, so that up stays up.
+
+        Parameters
+        ----------
+        about : the point (3,) of the unit space that stays where it is seen; None for the centre
+        """
         tilted = min(90.0, max(-90.0, self.elevation + elevation))
-        return replace(self, azimuth=(self.azimuth + azimuth + 180) % 360 - 180, elevation=tilted)
+        turned = replace(self, azimuth=(self.azimuth + azimuth + 180) % 360 - 180, elevation=tilted)
+        if about is None:
+            return turned
+        seen = self.axes @ (about - np.array(self.centre))
+        return replace(turned, centre=tuple((about - turned.axes.T @ seen).tolist()))
 
     def panned(self, dx: float, dy: float, size: Size) -> Camera:
         """Return the camera moved so that what it shows moves by logical pixels."""
@@ -180,6 +192,14 @@ def named_view(name: str, camera: Camera) -> Camera:
     """
     azimuth, elevation = NAMED_VIEWS[name]
     return replace(camera, azimuth=azimuth, elevation=elevation)
+
+
+def looking_at(camera: Camera, points: Array) -> Camera:
+    """Return the camera, in its direction, with points (k, 3) of the unit space in the middle, and what is around."""
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    extent = float(np.linalg.norm(points - middle, axis=1).max())
+    span = min(SPAN_LIMITS[1], max(_AROUND, 2 * _AROUND * extent))
+    return replace(camera, centre=tuple(middle.tolist()), span=span)
 
 
 @dataclass(frozen=True)

@@ -29,6 +29,8 @@ _NO_RANGE = (np.nan, np.nan)
 _LONGEST_NAME = 24
 
 SINGULAR_NOTE = "There is no curvature: the surface is drawn together into a line or a point"
+SIZE_NOTE = "There is no curvature: at this size its numbers are too large or too small for a computer"
+FAR_NOTE = "Between its samples the surface runs far out of the picture"
 
 _STRETCHED = " (stretched)"
 
@@ -66,7 +68,7 @@ class Colouring:
         values, (low, high) = self.values(counts), self.limits
         parts = np.subtract(values, low)
         if high > low:
-            parts *= 1 / (high - low)
+            parts /= high - low
         else:
             parts[np.isfinite(parts)] = 0.5
         result = np.clip(parts, -_FARTHEST, _FARTHEST).astype(np.float32)
@@ -125,22 +127,29 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, mo
 
     alike = [scene, *(peer for peer in scene.peers if not _missing(peer, field))]
     seen = np.stack([each.values(field, counts, moving=moving) for each in alike])
-    limits, beyond = _limits(scene, settings, field, seen)
+    limits, beyond = _limits(scene, settings, field, seen, moving)
     table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
     return Colouring(table, title, limits, beyond, _remark(scene, field, limits), values)
 
 
-def _limits(scene: Scene, settings: DisplaySettings, field: Field, values: Array) -> tuple[Range, tuple[bool, bool]]:
+def _limits(
+    scene: Scene, settings: DisplaySettings, field: Field, values: Array, moving: bool
+) -> tuple[Range, tuple[bool, bool]]:
     """Return the limits, and whether values lie below or above them."""
     rounding = scene.evaluation.layer_rounding(scene.layer)
     least, every = field_rounding(field, scene.surface_box.T, rounding), values
     if field.axis is not None:  # coordinates are those of the document's samples, like the boxes that are printed
         every = np.array([each.surface_box[field.axis] for each in (scene, *scene.peers)])
-    low, high = field_range(field, every, robust=False, least=least)
-    if settings.colour_range is ColourRange.AUTO or np.isnan(low):
-        return (low, high), (False, False)
-    robust = settings.colour_range is ColourRange.ROBUST
-    limits = field_range(field, values, robust=True, least=least) if robust else settings.fixed_range
+    if not np.isfinite(values).any():
+        return field_range(field, every, robust=False, least=least), (False, False)
+    limits = settings.fixed_range
+    if settings.colour_range is not ColourRange.FIXED:
+        robust = settings.colour_range is ColourRange.ROBUST
+        own = field_range(field, values if robust else every, robust=robust, least=least)
+        key = (scene.layer, scene.is_comparison, field.name, settings.colour_range, settings.style)
+        limits = scene.held.range_of(key, own, scene.evaluation, moving=moving)
+        if limits == own and not robust:
+            return limits, (False, False)
     finite = values[np.isfinite(values)]
     return limits, (bool(finite.min() < limits[0] - least), bool(finite.max() > limits[1] + least))
 
@@ -184,8 +193,15 @@ def _missing(scene: Scene, field: Field) -> str:
 def _remark(scene: Scene, field: Field, limits: Range) -> str:
     """Return what the values leave to be said."""
     if np.isnan(limits[0]):
-        return SINGULAR_NOTE
+        return SINGULAR_NOTE if _has_products(scene.surface_box) else SIZE_NOTE
     slope = scene.knot_slope if field.needs is Need.KNOT else None
     if slope is not None and not slope.coefficients.any():
         return f"{_name_beside(scene, field.needs)} has no effect on the {scene.document.formulation} surface"
-    return ""
+    return FAR_NOTE if scene.leaves_sight else ""
+
+
+def _has_products(box: Array) -> bool:
+    """Return whether the products of four lengths, of which curvature is made, are numbers for a surface in a box."""
+    extent = float(np.ptp(box, axis=1).max())
+    with np.errstate(over="ignore", under="ignore"):
+        return bool(0 < np.float64(extent) ** 4 < np.inf) or extent == 0

@@ -97,7 +97,7 @@ def compared(own: Scene, other: OtherSurface) -> tuple[Scene, ...]:
             companions=without_knot,
             name=title,
             is_comparison=True,
-            patch=surface.transformed(own.frame.matrix),
+            patch=own.frame.laid(surface),
             surface=surface,
             surface_box=other.box,
         ),

@@ -2,17 +2,29 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 
 from qovr_app.state.display import Scaling
-from qovr_app.style.ticks import round_limits
+from qovr_app.style.ticks import is_flat, round_limits
 from qovr_core.arrays import Array, read_only
+from qovr_core.geometry.differential import ParametricSurface
+from qovr_core.geometry.patch import Patch
 
 HALF_EXTENTS = read_only(np.array([1.0, 1.0, 0.62]))
 """Half the axes box when every axis is scaled by itself: a little flat, so that the surface lies rather
 than stands."""
+
+FARTHEST = 1e6
+"""Unit lengths: what is farther off is drawn there, out of sight at every magnification, and nothing overflows."""
+
+WILDEST = 1e60
+"""Unit lengths, of the coefficients of a patch that swings far beyond its samples: their products are finite."""
+
+_LARGEST = 1e300
+"""Coordinates up to which axes reach: the extent between larger ones overflows."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,16 +51,26 @@ class Frame:
         """Half the axes box in the unit space, (3,)."""
         return (self.limits[:, 1] - self.limits[:, 0]) / 2 * self.scale
 
-    @property
-    def matrix(self) -> Array:
-        """The (4, 4) affine matrix from the document's space to the unit space."""
-        matrix = np.diag([*self.scale, 1.0])
-        matrix[:3, 3] = -self.centre * self.scale
-        return matrix
+    def laid(self, surface: ParametricSurface) -> ParametricSurface:
+        """Return a surface of the document's space in the unit space; the same kind of surface.
+
+        It is moved before it is scaled: far from the origin the two at once would leave nothing but rounding.
+        """
+        moved, scaled = np.eye(4), np.diag([*self.scale, 1.0])
+        moved[:3, 3] = -self.centre
+        return surface.transformed(moved).transformed(scaled)
+
+    def laid_patch(self, patch: Patch) -> Patch:
+        """Return a patch of the document's space in the unit space, its coefficients no larger than ``WILDEST``."""
+        return Patch(self._laid_points(patch.coefficients, WILDEST), patch.degree)
 
     def to_unit(self, points: Array) -> Array:
-        """Return points (..., 3) of the document in the unit space."""
-        return (points - self.centre) * self.scale
+        """Return points (..., 3) of the document in the unit space, none of them farther off than ``FARTHEST``."""
+        return self._laid_points(points, FARTHEST)
+
+    @np.errstate(over="ignore")
+    def _laid_points(self, points: Array, limit: float) -> Array:
+        return np.clip((points - self.centre) * self.scale, -limit, limit)
 
     def to_document(self, points: Array) -> Array:
         """Return points (..., 3) of the unit space in the document's."""
@@ -56,10 +78,14 @@ class Frame:
 
 
 def frame_around(boxes: list[Array], scaling: Scaling) -> Frame:
-    """Return the frame whose round limits hold all boxes, each (3, 2) with columns min and max."""
-    low = np.min([box[:, 0] for box in boxes], axis=0)
-    high = np.max([box[:, 1] for box in boxes], axis=0)
-    limits = np.array([round_limits(a, b) for a, b in zip(low.tolist(), high.tolist(), strict=True)])
+    """Return the frame whose round limits hold all boxes, each (3, 2) with columns min and max.
+
+    An axis without extent is no wider than the others, which could not be seen beside it.
+    """
+    low, high = np.clip([np.min(boxes, axis=0)[:, 0], np.max(boxes, axis=0)[:, 1]], -_LARGEST, _LARGEST)
+    ends = list(zip(low.tolist(), high.tolist(), strict=True))
+    widest = max((b - a for a, b in ends if not is_flat(a, b)), default=math.inf)
+    limits = np.array([round_limits(a, b, widest) for a, b in ends])
     extents = limits[:, 1] - limits[:, 0]
     scale = np.full(3, 2 / extents.max()) if scaling is Scaling.EQUAL else 2 * HALF_EXTENTS / extents
     return Frame(read_only(limits), read_only(scale))

@@ -8,6 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_app.state.display import Style
+from qovr_app.view3d.scene.frame import FARTHEST
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry.bernstein import basis
 from qovr_core.geometry.differential import ParametricSurface
@@ -47,12 +48,13 @@ def surface_vertices(surface: ParametricSurface, counts: Counts) -> FloatArray:
 
     Returns
     -------
-    (n, m, 6) float32, read-only: x, y, z and the normal, indexed [iu, iv]
+    (n, m, 6) float32, read-only: x, y, z, none of them beyond ``FARTHEST``, and the normal, indexed [iu, iv]
     """
-    if isinstance(surface, Patch):
+    if isinstance(surface, Patch) and np.abs(surface.coefficients).max() <= FARTHEST:
         return _patch_vertices(surface, counts)
     u, v = (np.linspace(0.0, 1.0, count) for count in counts)
-    return read_only(np.concatenate([surface.points(u, v), surface.normals(u, v)], axis=-1, dtype=np.float32))
+    points = np.clip(surface.points(u, v), -FARTHEST, FARTHEST)
+    return read_only(np.concatenate([points, surface.normals(u, v)], axis=-1, dtype=np.float32))
 
 
 def _patch_vertices(patch: Patch, counts: Counts) -> FloatArray:

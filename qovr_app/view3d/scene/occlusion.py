@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from qovr_app.state.display import Style
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.mesh import surface_vertices
+from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, Flags, read_only
 from qovr_core.geometry.differential import ParametricSurface
 
@@ -27,6 +29,16 @@ _CORNERS = ((_FIRST, _FIRST), (_SECOND, _FIRST), (_SECOND, _SECOND), (_FIRST, _S
 _IN_FRONT = 0.012
 """Unit lengths by which the surface must lie nearer than a mark to hide it: curves on the surface stay
 visible."""
+
+
+_OPAQUE_STYLES = (Style.FACETS, Style.SMOOTH)
+
+
+def hidden_by(picture: Picture, marks: Array, size: Size) -> Flags:
+    """Return which marks (k, 3) the surface of a picture hides; nothing where one can look through it."""
+    if not picture.settings.surface or picture.settings.style not in _OPAQUE_STYLES:
+        return np.zeros(len(marks), dtype=bool)
+    return Occluder(picture.scene.patch, picture.camera, size).hidden(marks)
 
 
 class Occluder:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import numpy as np
 
 from qovr_app.state.display import DisplaySettings, Style
+from qovr_app.state.tools import ToolSettings
 from qovr_app.style.theme import Theme, theme_of
 from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
+from qovr_app.view3d.scene.hand import Hand
 from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_app.view3d.scene.probing import Parameters
@@ -20,6 +24,9 @@ _TITLE_ROOM = 92.0
 """At the left, where the z axis carries numbers and a title side by side."""
 
 _BARE_ROOM = 28.0
+_BESIDE = 1e-9
+"""Part of an axis by which what lies on its end may miss it: rounding."""
+
 _NARROW = 340.0
 """A viewport narrower than this in logical pixels has no room for a colour bar beside the surface."""
 
@@ -34,6 +41,8 @@ class Picture:
     moving : draw on a coarser grid, because the next frame is near
     probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing
+    tools : what a hand does here
+    hand : what is seen of it; None in figures
     """
 
     settings: DisplaySettings
@@ -45,11 +54,25 @@ class Picture:
     moving: bool = False
     probed: Parameters | None = None
     caption: str = ""
+    tools: ToolSettings = field(default_factory=ToolSettings)
+    hand: Hand | None = None
 
     @property
     def theme(self) -> Theme:
         """The colours of everything but the surface."""
         return theme_of(self.settings.theme)
+
+    @property
+    def has_gizmo(self) -> bool:
+        """Whether a hand finds a gizmo at the point that was selected last."""
+        return self.hand is not None and self.settings.control_points and self.last_selected is not None
+
+    @property
+    def leaves_frame(self) -> bool:
+        """Whether something of the surface or its net lies outside the axes."""
+        (low, high), net = self.scene.frame.limits.T, self.scene.document.control_points.reshape(-1, 3)
+        slack, seen = _BESIDE * (high - low), np.concatenate([self.scene.surface_box.T, net])
+        return bool((seen < low - slack).any() or (seen > high + slack).any())
 
     @property
     def counts(self) -> Counts:
@@ -75,6 +98,11 @@ class Picture:
 def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
     """Return whether a viewport of this size shows the colour bar."""
     return settings.colour_bar and settings.surface and size[0] >= _NARROW
+
+
+def is_in_colour_bar(settings: DisplaySettings, size: Size, x: float) -> bool:
+    """Return whether a pixel of a viewport belongs to the colour bar and its numbers."""
+    return has_colour_bar(settings, size) and x >= size[0] - _BAR_ROOM
 
 
 def margins(settings: DisplaySettings, size: Size) -> Margins:

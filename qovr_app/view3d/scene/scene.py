@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 
 from qovr_app.state.display import Scaling
-from qovr_app.view3d.scene.frame import Frame, frame_around
+from qovr_app.view3d.scene.frame import FARTHEST, Frame, frame_around
+from qovr_app.view3d.scene.held_ranges import HeldRanges
 from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
@@ -56,6 +57,7 @@ class Scene:
     is_comparison : whether the surface is not the document's, but one of the same control net that is compared with it
     lines_name, lines : another surface over this one, by its lines (k, n, 3) of the unit space; k is 0 without one
     peers : scenes beside this one in which a colour means the same
+    held : the ranges of the colours that edits do not change
     """
 
     layer: Layer
@@ -71,6 +73,7 @@ class Scene:
     is_comparison: bool = False
     lines_name: str = ""
     lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
+    held: HeldRanges = field(default_factory=HeldRanges)
     peers: list[Scene] = field(default_factory=list, init=False, repr=False)
     cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
@@ -83,6 +86,11 @@ class Scene:
         if knot is None or self.is_comparison:
             return None
         return knot_sensitivity(self.evaluation, knot, self.layer)
+
+    @property
+    def leaves_sight(self) -> bool:
+        """Whether the surface runs so far between its samples, after which the axes are, that it cannot be seen."""
+        return isinstance(self.patch, Patch) and bool(np.abs(self.patch.coefficients).max() > FARTHEST)
 
     def beside(self, need: Need | None) -> ParametricSurface | None:
         """Return what a field with this need must be given; None where it needs nothing, or nothing is there."""
@@ -151,12 +159,12 @@ def make_scene(
     document: Document | None = None,
 ) -> Scene:
     """Return one layer of an evaluation in a frame, with the control points of a document or with its own."""
-    matrix = frame.matrix if layer is Layer.RAW else frame.matrix @ evaluation.matrix
+    surface = evaluation.layer_patch(layer)
     return Scene(
         layer=layer,
         frame=frame,
-        patch=evaluation.patch.transformed(matrix),
-        surface=evaluation.layer_patch(layer),
+        patch=frame.laid_patch(surface),
+        surface=surface,
         evaluation=evaluation,
         document=document or evaluation.document,
         surface_box=read_only(_surface_box(evaluation, layer)),

@@ -1,4 +1,4 @@
-"""The scenes of everything that is shown, from left to right, in limits that can be held still."""
+"""The scenes of everything that is shown, from left to right, in limits that edits leave alone."""
 
 from __future__ import annotations
 
@@ -6,18 +6,24 @@ from dataclasses import replace
 
 from qovr_app.view3d.scene.comparison import OtherSurface, compared
 from qovr_app.view3d.scene.frame import Frame
+from qovr_app.view3d.scene.held_ranges import HeldRanges
 from qovr_app.view3d.scene.scene import Scene, make_scene, scene_frame
 from qovr_app.view3d.scene.shown import Shown
 from qovr_core.layer import Layer
 
 
 class Scenes:
-    """What is made of what is shown; a scene is the same object until something in it changes."""
+    """What is made of what is shown; a scene is the same object until something in it changes.
+
+    It is the one holder of the limits of axes and colours. They stay while a document is edited, and are taken anew for
+    another document, formulation or layer, or when that is asked for.
+    """
 
     def __init__(self) -> None:
         self._shown = Shown()
         self._other: OtherSurface | None = None
         self._frames: dict[Layer, Frame] = {}
+        self._held = HeldRanges()
         self._own: dict[Layer, Scene] = {}
         self._scenes: list[Scene] = []
 
@@ -31,11 +37,21 @@ class Scenes:
         has_other_net = before.net is not shown.net
         if has_other_net or before.comparison != shown.comparison:
             self._other = shown.comparison.made_of(shown.net) if shown.comparison and shown.net else None
-        if has_other_net or before.evaluation is not shown.evaluation or _frames_differ(before, shown):
-            self._build(keep_limits=shown.dragging and before.settings.scaling is shown.settings.scaling)
+        if shown.companions_differ(before):
+            self._held = HeldRanges()
+        begins_anew = _begins_anew(before, shown)
+        if has_other_net or before.evaluation is not shown.evaluation or begins_anew:
+            self._build(keep_limits=not begins_anew)
         elif shown.companions_differ(before):
-            self._own = {layer: replace(scene, companions=shown.companions) for layer, scene in self._own.items()}
+            self._own = {
+                layer: replace(scene, companions=shown.companions, held=self._held)
+                for layer, scene in self._own.items()
+            }
             self._compare()
+
+    def take_limits(self) -> None:
+        """Take the limits of axes and colours from what is shown now."""
+        self._build(keep_limits=False)
 
     def _build(self, *, keep_limits: bool) -> None:
         """Make the scenes of the layers that are shown, in limits of their own or in those of before."""
@@ -43,11 +59,14 @@ class Scenes:
         self._own, self._scenes = {}, []
         if evaluation is None:
             return
+        if not keep_limits:
+            self._held = HeldRanges()
         others = () if self._other is None else (self._other.box,)
         for layer in shown.settings.layer.layers:
             if layer not in self._frames or not keep_limits:
                 self._frames[layer] = scene_frame(evaluation, layer, shown.settings.scaling, *others)
-            self._own[layer] = make_scene(evaluation, layer, self._frames[layer], shown.companions, shown.document)
+            scene = make_scene(evaluation, layer, self._frames[layer], shown.companions, shown.document)
+            self._own[layer] = replace(scene, held=self._held)
         self._compare()
 
     def _compare(self) -> None:
@@ -61,11 +80,20 @@ class Scenes:
             self._scenes += beside
 
 
-def _frames_differ(before: Shown, shown: Shown) -> bool:
-    """Return whether the limits of the axes are to be taken again, or other layers stand in them."""
+def _begins_anew(before: Shown, shown: Shown) -> bool:
+    """Return whether the limits of axes and colours are to be taken from what is shown now."""
     return (
-        before.settings.layer is not shown.settings.layer
+        before.evaluation is None
+        or before.opening != shown.opening
+        or before.formulation is not shown.formulation
+        or before.settings.layer is not shown.settings.layer
         or before.settings.scaling is not shown.settings.scaling
         or before.comparison != shown.comparison
-        or (before.dragging and not shown.dragging)
+        or (shown.settings.always_fits and not shown.dragging and _may_leave(before, shown))
     )
+
+
+def _may_leave(before: Shown, shown: Shown) -> bool:
+    """Return whether what is shown may have left the limits since they were taken."""
+    is_same = before.evaluation is shown.evaluation and before.net is shown.net
+    return not is_same or before.dragging or not before.settings.always_fits

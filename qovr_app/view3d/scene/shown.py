@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from qovr_app.state.display import DisplaySettings
+from qovr_app.state.tools import ToolSettings
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.scene import Companions
 from qovr_core import Document, Evaluation, ParametricSurface
 from qovr_core.document import NetIndex
 from qovr_core.fields import FIELDS
+from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import KnotPlace
 
 
@@ -22,24 +24,28 @@ class Shown:
     evaluation : the surface; None where there is none yet
     document : whose control points and curves are shown; None for the evaluation's own
     settings : how it is shown
+    tools : how control points are picked and moved
     selected : the control points that are marked
     last_selected : the one of them that was picked last; None where none is
     reference : a surface in the document's units, from which distances are taken; None without one
     reference_name : what to call it
     knot : the knot to which the sensitivity is shown; None without one
     comparison : another surface of the same control net beside the document's, or over it; None for none
-    dragging : a control point is being dragged, so that the limits of the axes stay where they are
+    opening : which of the documents that were opened this is: another one gets limits of its own
+    dragging : a control point is being dragged, so that the limits of the axes stay whatever is chosen
     """
 
     evaluation: Evaluation | None = None
     document: Document | None = None
     settings: DisplaySettings = field(default_factory=DisplaySettings)
+    tools: ToolSettings = field(default_factory=ToolSettings)
     selected: frozenset[NetIndex] = frozenset()
     last_selected: NetIndex | None = None
     reference: ParametricSurface | None = None
     reference_name: str = ""
     knot: KnotPlace | None = None
     comparison: ComparisonView | None = None
+    opening: int = 0
     dragging: bool = False
 
     @property
@@ -68,6 +74,11 @@ class Shown:
         """Return whether the surface is looked at with something else than before."""
         named = (self.reference_name, self.knot) != (before.reference_name, before.knot)
         return named or self.reference is not before.reference
+
+    @property
+    def formulation(self) -> Formulation | None:
+        """How the surface is made; None where there is none."""
+        return None if self.evaluation is None else self.evaluation.document.formulation
 
     @property
     def net(self) -> Document | None:

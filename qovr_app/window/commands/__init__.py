@@ -2,7 +2,9 @@
 
 from qovr_app.window.commands.command import Command
 from qovr_app.window.commands.document import edit_commands, file_commands, surface_commands
+from qovr_app.window.commands.points import point_commands, selection_commands
 from qovr_app.window.commands.tools import go_commands, help_commands, laboratory_commands, probe_commands
+from qovr_app.window.commands.tools_of_points import tool_commands
 from qovr_app.window.commands.view import view_commands
 
 __all__ = ["Command", "command_table"]
@@ -13,6 +15,9 @@ def command_table() -> tuple[Command, ...]:
     return (
         *file_commands(),
         *edit_commands(),
+        *selection_commands(),
+        *point_commands(),
+        *tool_commands(),
         *surface_commands(),
         *view_commands(),
         *go_commands(),

@@ -32,6 +32,7 @@ class Command:
     is_enabled : whether it can be asked for
     noun : what the text ends with in a state, as the step that Undo takes back
     begins_part : whether the menu has a line before it
+    needs : what has to be done before it can be asked for
     """
 
     name: str
@@ -45,6 +46,7 @@ class Command:
     is_enabled: Callable[[EditorState], bool] = _always
     noun: Callable[[EditorState], str] | None = None
     begins_part: bool = False
+    needs: str = ""
 
 
 def asking(intent: Intent) -> Callable[[EditorState], Intent]:

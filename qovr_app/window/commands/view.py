@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, Projection, Scaling, Style
+from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, MouseScheme, Projection, Scaling, Style
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.state.looking_intents import DisplayChosen
-from qovr_app.state.requests import CameraAsked, RangeAsked
+from qovr_app.state.requests import CameraAsked, CameraMoved, CameraStep, RangeAsked
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.window.commands.command import Command, asking
 
@@ -66,6 +66,15 @@ CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
         "&View/&Axes scaling",
         {"each": ("&Each axis by itself", None), "equal": ("E&qual scales", None)},
     ),
+    "mouse": (
+        MouseScheme,
+        "&View/Mo&use",
+        {
+            "blender": ("&Blender: the middle button orbits, with Shift it pans", None),
+            "cad": ("&CAD: the middle button orbits, with Ctrl it pans", None),
+            "rhino": ("&Rhino: the right button orbits, with Shift it pans", None),
+        },
+    ),
     "projection": (
         Projection,
         "&View/&Projection",
@@ -81,11 +90,22 @@ _TIPS = {
     "colour_range_fixed": "The colours end at two values of your own",
 }
 
-CAMERAS = {
+CAMERAS: dict[str, tuple[str, str | None, str]] = {
     "paper": ("&Paper's view", "Ctrl+1", "Azimuth 36, elevation 64 degrees, as in the paper's figures"),
     "top": ("&Top", "Ctrl+2", "From above, as the paper's Figures 7 and 8b"),
+    "bottom": ("&Bottom", None, "From below"),
     "front": ("Fr&ont", "Ctrl+3", "Along the y axis"),
+    "rear": ("R&ear", None, "Against the y axis"),
+    "left": ("&Left", None, "Along the x axis, from its low end"),
     "right": ("R&ight", "Ctrl+4", "Along the x axis"),
+    "isometric": ("Iso&metric", None, "All three axes at equal angles"),
+}
+
+
+_CAMERA_MOVES: dict[str, tuple[CameraStep, str, str | None, str]] = {
+    "fit_selection": (CameraStep.SELECTION, "Fit the &selection", "Shift+F", "Look at the selected points from near"),
+    "camera_back": (CameraStep.BACK, "B&ack", "Ctrl+[", "Look from where you looked before"),
+    "camera_forward": (CameraStep.FORWARD, "Forwar&d", "Ctrl+]", "Look from where you looked before going back"),
 }
 
 
@@ -172,4 +192,16 @@ def _camera_commands() -> list[Command]:
         )
         for name, (text, shortcut, tip) in CAMERAS.items()
     ]
-    return [fit, *named]
+    moves = [
+        Command(name, text, asking(CameraMoved(step)), menu, shortcut, tip, begins_part=name == "fit_selection")
+        for name, (step, text, shortcut, tip) in _CAMERA_MOVES.items()
+    ]
+    follow = Command(
+        "always_fits",
+        "Al&ways fit",
+        _switching("always_fits"),
+        menu,
+        tip="Let axes and colours follow every edit, not only another document, formulation or layer",
+        is_checked=_is_on("always_fits"),
+    )
+    return [fit, follow, *named, *moves]

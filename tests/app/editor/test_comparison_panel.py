@@ -1,5 +1,6 @@
 """The comparison in the laboratory: another surface in the view, and the measures of all of them."""
 
+import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
@@ -8,6 +9,7 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QTableWidget
 
 from qovr_app.laboratory.comparison_panel import ComparisonPanel
 from qovr_app.state.intents import FormulationChosen
+from qovr_app.state.looking_intents import Picking
 from qovr_app.work import quiet
 from qovr_core import Formulation
 from qovr_core.laboratory.comparison import compare, compared_names
@@ -82,7 +84,7 @@ def test_old_numbers_are_pale_until_there_are_new_ones(editor):
 
 def test_the_selected_point_is_the_one_that_moves(editor):
     assert "<sub>2,2</sub>" in editor.find("laboratory.comparison.state", QLabel).text() or measured(editor)
-    editor.window.view.point_selected.emit((1, 3))
+    editor.window.view.points_picked.emit(((1, 3),), Picking.REPLACE)
     editor.settle()
     assert measured(editor) == expected(editor.document, point=(1, 3))
     assert "<sub>1,3</sub> moves by" in editor.find("laboratory.comparison.state", QLabel).text()
@@ -226,7 +228,7 @@ def test_a_point_dragged_in_the_other_picture_moves_both_surfaces(editor):
     viewport = editor.window.view.viewports[1]
     navigated = QPoint(viewport.width() // 2, viewport.height() // 2)
     QTest.mouseMove(viewport, navigated)
-    editor.window.view.point_dragged.emit(2, 2, before[2, 2] + [0, 0, 1], 77)
+    editor.window.view.points_dragged.emit(((2, 2),), np.array([[0.0, 0.0, 1.0]]), 77)
     editor.settle()
     own, other = scenes(editor)
     assert editor.document.control_points[2, 2, 2] == before[2, 2, 2] + 1

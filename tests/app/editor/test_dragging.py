@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QMenu
 
 from qovr_core.presets import preset
 
@@ -91,3 +92,54 @@ def test_a_document_opened_during_a_drag_ends_the_drag(editor):
     editor.settle()
     assert editor.document == preset("fig8").document
     assert not editor.action("undo").isEnabled()
+
+
+def test_the_right_button_opens_the_menu_of_what_is_there(editor):
+    viewport, point = place_of(editor, 4, 2)
+    _, other = place_of(editor, 4, 3)
+    places = {
+        "context.point": point,
+        "context.net_line": (point + other) / 2,
+        "context.colour_bar": QPoint(viewport.width() - 30, viewport.height() // 2),
+        "context.view": QPoint(6, 6),
+    }
+    names = {
+        "context.point": "smooth_points",
+        "context.colour_bar": "colour_map_cividis",
+        "context.view": "camera_back",
+    }
+    for name, at in places.items():
+        QTest.mouseClick(viewport, Qt.MouseButton.RightButton, pos=at)
+        menu = editor.find(name, QMenu)
+        assert menu.isVisible()
+        found = {action.objectName() for action in menu.actions()}
+        assert names.get(name, "fit_selection") in found
+        if name == "context.net_line":
+            menu.actions()[0].trigger()
+            assert len(editor.window.store.state.selection.points) == 5
+        menu.close()
+        editor.settle()
+
+
+def test_a_double_click_goes_to_the_height_of_a_point(editor):
+    viewport, at = place_of(editor, 4, 2)
+    QTest.mouseDClick(viewport, LEFT, pos=at)
+    editor.settle()
+    assert QApplication.focusWidget().objectName() == "control_points.P_4_2.z"
+
+
+def test_single_letters_act_with_the_keyboard_in_the_view_only(editor):
+    viewport, at = place_of(editor, 2, 2)
+    QTest.mousePress(viewport, LEFT, pos=at)
+    QTest.mouseMove(viewport, at - QPoint(0, 60))
+    QTest.mouseRelease(viewport, LEFT, pos=at - QPoint(0, 60))
+    editor.settle()
+    assert editor.window.view.picture().leaves_frame
+    editor.find("surface.export").setFocus()
+    QTest.keyClick(editor.find("surface.export"), Qt.Key.Key_F)
+    editor.settle()
+    assert editor.window.view.picture().leaves_frame
+    viewport.setFocus()
+    QTest.keyClick(viewport, Qt.Key.Key_F)
+    editor.settle()
+    assert not editor.window.view.picture().leaves_frame

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QComboBox, QLabel, QTableWidget
 
 from qovr_app.state.display import ColourMap, ThemeName
 from qovr_app.state.intents import FormulationChosen, PointsMoved
+from qovr_app.state.looking_intents import Picking
 from qovr_app.style.colour_maps import colour_table
 from qovr_app.style.palette import set_theme
 from qovr_core import Edge, Formulation, Layer
@@ -55,8 +56,8 @@ def choose(lab, name, text):
 
 
 def test_it_says_what_to_do_and_then_follows_point_and_knot(lab):
-    lab.window.view.point_selected.emit((1, 3))
-    lab.window.view.point_selected.emit(None)
+    lab.window.view.points_picked.emit(((1, 3),), Picking.REPLACE)
+    lab.window.view.points_picked.emit((), Picking.REPLACE)
     lab.settle()
     assert "Select a control point" in words(lab)
     focus(lab, "control_points.P_2_2.z")
@@ -68,10 +69,10 @@ def test_it_says_what_to_do_and_then_follows_point_and_knot(lab):
     expected = influence(lab.document, KnotMove(KnotPlace(Direction.COLUMNS, 1, "u"), 0.1), Layer.TRANSFORMED)
     assert numbers(lab)["Largest"] == f"{expected.largest:.4g}"
     assert lab.find(f"{NAME}.title", QLabel).text().startswith("<i>v</i><sub>ip</sub> of <i>K</i><sub>1</sub>")
-    lab.window.view.point_selected.emit((1, 3))
+    lab.window.view.points_picked.emit(((1, 3),), Picking.REPLACE)
     lab.settle()
     assert "1,3" in lab.find(f"{NAME}.title", QLabel).text()
-    lab.window.view.point_selected.emit(None)
+    lab.window.view.points_picked.emit((), Picking.REPLACE)
     lab.settle()
     assert "Select a control point" in words(lab)
 

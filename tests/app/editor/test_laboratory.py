@@ -7,7 +7,7 @@ from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.panels import PANELS, PanelRecord
 from qovr_app.state.display import ThemeName
 from qovr_app.state.intents import ValuesEdited
-from qovr_app.state.looking_intents import MessageShown
+from qovr_app.state.looking_intents import MessageShown, Picking
 from qovr_app.state.requests import DocumentAsked
 from qovr_app.style.palette import set_theme
 from qovr_app.window.preferences import Preferences
@@ -108,14 +108,14 @@ def test_the_focus_is_the_knot_or_point_that_came_last(lab):
     lab.field("control_points.P_3_1.z").setFocus()
     lab.settle()
     assert panel.foci[-1] == (3, 1)
-    lab.window.view.point_selected.emit((2, 2))
+    lab.window.view.points_picked.emit(((2, 2),), Picking.REPLACE)
     lab.settle()
     assert panel.foci[-1] == (2, 2)
-    lab.window.view.point_selected.emit(None)
+    lab.window.view.points_picked.emit((), Picking.REPLACE)
     lab.settle()
     assert panel.foci[-1] is None
     lab.field("row_knots.C_0.t").setFocus()
-    lab.window.view.point_selected.emit(None)
+    lab.window.view.points_picked.emit((), Picking.REPLACE)
     lab.settle()
     assert panel.foci[-1] == KnotPlace(Direction.ROWS, 0, "t")
 

@@ -7,6 +7,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QLabel
 
 from qovr_app.state.display import ThemeName
+from qovr_app.state.looking_intents import Picking
 from qovr_app.state.typed import typed_block, typed_number
 from qovr_app.style.palette import set_theme, theme_in_force
 from qovr_core import DocumentError
@@ -109,7 +110,7 @@ def test_a_point_selected_in_the_view_is_framed_and_its_field_selects_it(editor)
     editor.field("control_points.P_3_1.y").setFocus()
     editor.settle()
     assert editor.window.view.picture().last_selected == (3, 1)
-    editor.window.view.point_selected.emit((2, 2))
+    editor.window.view.points_picked.emit(((2, 2),), Picking.REPLACE)
     QTest.qWait(10)
     assert editor.field("control_points.P_2_2.x").is_marked
     assert not editor.field("control_points.P_3_1.x").is_marked

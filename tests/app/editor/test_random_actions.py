@@ -1,27 +1,25 @@
 """Thousands of random actions: no exception, no Qt warning, and fields that always agree with the document."""
 
+import os
 import random
 
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox
 
+from qovr_app.window.commands import command_table
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 
-ACTIONS = 2000
+ACTIONS = int(os.environ.get("QOVR_ACTIONS", "2000"))
+"""How many; at length: QOVR_ACTIONS=20000."""
+
 CHECK_EVERY = 20
 NAMES = [name_of(place) for place in (*ROW_FIELDS, *COLUMN_FIELDS, *POINT_FIELDS)]
 NUMBERS = ["0.5", "0,25", "0.875", "1", "0", "-3", "12.5", "1e-3", "1e300", "", "abc", "0.1\t0.2", "0.3333333333333333"]
-COMMANDS = [
-    *("undo", "redo") * 6,
-    *("live", "link_curves", "link_directions", "configure", "get_values", "set_values"),
-    *("copy_zone", "copy_plane", "paste_zone", "paste_zone"),
-    *("layer_raw", "layer_transformed", "style_smooth", "style_facets", "scaling_equal", "scaling_each"),
-    *("preset_fig5", "preset_fig6c", "preset_fig8", "camera_top", "camera_paper", "fit"),
-    *("go_row_knots", "go_view", "go_surface"),
-    *("laboratory_curve", "laboratory_influence") * 2,
-]
+ASKING = {"open", "save", "save_as", "export", "save_figure", "close", "colour_range_fixed", "help", "reload"}
+"""Commands that ask the user something first, or end the window."""
+
 BUTTONS = [f"{zone}.{verb}" for zone in ("row_knots", "column_knots", "control_points") for verb in ("get", "set")]
 KEYS = [Qt.Key.Key_Up, Qt.Key.Key_Down, Qt.Key.Key_PageUp, Qt.Key.Key_Escape, Qt.Key.Key_Tab, Qt.Key.Key_Return]
 
@@ -52,7 +50,7 @@ def press_a_button(editor, rng):
 
 
 def run_a_command(editor, rng):
-    name = rng.choice(COMMANDS)
+    name = rng.choice(editor.commands)
     if name.startswith("preset"):
         if rng.random() < 0.7:
             return
@@ -72,6 +70,31 @@ def type_samples(editor, rng):
     QTest.keyClick(field, Qt.Key.Key_Return)
 
 
+def drag_a_point(editor, rng):
+    viewport = editor.window.view.viewports[0]
+    picture = editor.window.view.picture()
+    if picture is None:
+        return
+    spots = picture.camera.project(picture.scene.points.reshape(-1, 3), viewport.logical_size)
+    x, y = rng.choice(spots.tolist())[:2]
+    at = QPoint(round(x), round(y))
+    if not viewport.widget.rect().contains(at):
+        return
+    QTest.mousePress(viewport.widget, Qt.MouseButton.LeftButton, pos=at)
+    for _ in range(rng.randrange(4)):
+        at += QPoint(rng.randrange(-9, 10), rng.randrange(-9, 10))
+        QTest.mouseMove(viewport.widget, at)
+        if rng.random() < 0.2:
+            QTest.keyClick(viewport.widget, rng.choice([Qt.Key.Key_Escape, Qt.Key.Key_X, Qt.Key.Key_Z]))
+        if rng.random() < 0.1:
+            run_a_command(editor, rng)
+    QTest.mouseRelease(viewport.widget, Qt.MouseButton.LeftButton, pos=at)
+
+
+def change_the_size(editor, rng):
+    editor.window.resize(rng.randrange(900, 1600), rng.randrange(560, 1000))
+
+
 ACTS = [
     *(type_into_a_field,) * 3,
     press_keys_in_a_field,
@@ -80,6 +103,8 @@ ACTS = [
     run_a_command,
     choose_a_formulation,
     type_samples,
+    drag_a_point,
+    change_the_size,
 ]
 
 
@@ -89,6 +114,8 @@ def test_random_actions(make_editor, seed):
     rng = random.Random(seed)
     editor = make_editor(size=(900, 560))
     editor.fields = {name: editor.field(name) for name in NAMES}
+    names = [command.name for command in command_table() if command.name not in ASKING]
+    editor.commands = [*names, *["undo", "redo"] * 6]
     for number in range(ACTIONS):
         rng.choice(ACTS)(editor, rng)
         if number % CHECK_EVERY == 0:

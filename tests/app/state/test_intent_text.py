@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qovr_app.state import intents, looking_intents, requests
+from qovr_app.state import intents, looking_intents, point_intents, requests
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
@@ -16,7 +16,9 @@ from qovr_app.state.next_state import next_state
 from qovr_app.state.tools import Way
 from qovr_core import DocumentError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone
+from qovr_core.net_edits import About, Align, Flatten, Plane, Smooth, Transform
 from qovr_core.presets import preset
+from qovr_core.symmetry import Source
 
 PLACES = st.one_of(
     st.builds(KnotPlace, st.sampled_from(Direction), st.integers(0, 4), st.sampled_from("rsut")),
@@ -24,6 +26,7 @@ PLACES = st.one_of(
 )
 NUMBERS = st.floats(allow_nan=False, allow_infinity=False)
 VALUES = st.dictionaries(PLACES, NUMBERS, max_size=4)
+TRIPLES = st.tuples(NUMBERS, NUMBERS, NUMBERS)
 GESTURES = st.integers(0, 9)
 INDICES = st.tuples(st.integers(0, 4), st.integers(0, 4))
 EXAMPLES = {
@@ -35,8 +38,22 @@ EXAMPLES = {
     intents.PointsMoved: st.builds(
         intents.PointsMoved,
         st.lists(INDICES).map(tuple),
-        st.lists(st.tuples(NUMBERS, NUMBERS, NUMBERS)).map(tuple),
+        st.lists(TRIPLES).map(tuple),
         GESTURES,
+    ),
+    point_intents.PointsNudged: st.builds(point_intents.PointsNudged, st.lists(INDICES).map(tuple), TRIPLES, NUMBERS),
+    point_intents.PointsEdited: st.builds(
+        point_intents.PointsEdited,
+        st.one_of(
+            st.builds(Transform, TRIPLES, TRIPLES, st.integers(0, 2), NUMBERS, st.sampled_from(About)),
+            st.builds(Flatten, st.sampled_from(Plane)),
+            st.builds(Align, st.integers(0, 2)),
+            st.just(Smooth()),
+        ),
+        st.lists(INDICES).map(tuple),
+    ),
+    point_intents.MadeSymmetric: st.builds(
+        point_intents.MadeSymmetric, st.sampled_from(Direction), st.sampled_from(Source)
     ),
     looking_intents.Selected: st.builds(
         looking_intents.Selected,
@@ -61,7 +78,7 @@ EXAMPLES = {
 
 
 def kinds():
-    for module in (intents, looking_intents, requests):
+    for module in (intents, looking_intents, point_intents, requests):
         for _, kind in inspect.getmembers(module, inspect.isclass):
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 yield kind

@@ -5,18 +5,21 @@ from itertools import pairwise
 
 import pytest
 
-from qovr_app.state import intents, looking_intents
+from qovr_app.state import intents, looking_intents, point_intents
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
 from qovr_app.store import Store
-from qovr_core import FORMULATIONS
+from qovr_core import FORMULATIONS, Evaluation, EvaluationError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
+from qovr_core.net_edits import Align, Flatten, Smooth, Transform
 from qovr_core.presets import preset, presets
+from qovr_core.symmetry import Source
 
 INTENTS = 3000
 KNOTS = [KnotPlace(direction, k, name) for direction in Direction for k in range(5) for name in "rsut"]
 POINTS = [CoordinatePlace(i, j, axis) for i in range(5) for j in range(5) for axis in range(3)]
+EDITS = [Transform((0.0, 0.0, 0.1)), Transform(factors=(2.0, 1.0, 0.5), degrees=30.0), Flatten(), Align(2), Smooth()]
 NUMBERS = [0.5, 0.25, 1 / 3, 0.875, 1.0, 0.0, -3.0, 12.5, 1e-3, 1e300, 5e-324]
 
 
@@ -34,6 +37,10 @@ def some(rng):
             intents.ZoneSet(rng.choice(list(Zone)), {}),
             intents.ZoneRead(rng.choice(list(Zone))),
             intents.PointsMoved(((i, j), (j, i)), ((0.0, 0.1, number), (number, 0.0, 0.0)), 3),
+            point_intents.PointsNudged(((i, j),), (0.0, 0.0, number), rng.random()),
+            point_intents.PointsEdited(rng.choice(EDITS), ((i, j), (j, i))),
+            point_intents.MadeSymmetric(rng.choice(list(Direction)), rng.choice(list(Source))),
+            looking_intents.ToolChosen(rng.choice(["soft", "symmetry_rows", "symmetry_columns"]), rng.random() < 0.5),
             intents.GestureEnded(3),
             intents.GestureCancelled(3),
             intents.FormulationChosen(rng.choice(list(FORMULATIONS))),
@@ -56,11 +63,20 @@ def some(rng):
     )
 
 
+def has_surface(document):
+    try:
+        Evaluation(document)
+    except EvaluationError:
+        return False
+    return True
+
+
 def check(state):
     """What holds in every state."""
     assert state.evaluation is not None
     if state.is_live:
-        assert not state.is_stale
+        # back where edits waited, the document may be one that has no surface
+        assert not state.is_stale or not has_surface(state.document)
         assert state.draft == state.document
     assert state.is_stale == (state.evaluation.document != state.document)
     for place in state.texts:

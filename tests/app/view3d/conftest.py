@@ -10,7 +10,7 @@ import pytest
 
 from qovr_app.state.display import DisplaySettings
 from qovr_core import Document, Formulation
-from qovr_core.edits import set_formulation, set_point, set_samples
+from qovr_core.edits import set_formulation, set_point, set_points, set_samples
 from qovr_core.presets import preset
 from support.view import change, select
 
@@ -55,14 +55,14 @@ class Owner:
 
     def __init__(self, view: object, document: Document) -> None:
         self.view, self.document, self.before = view, document, document
-        self.drags: list[tuple[int, int, np.ndarray, int]] = []
+        self.drags: list[tuple[tuple[tuple[int, int], ...], np.ndarray, int]] = []
         self.ends: list[tuple[str, int]] = []
         self.selections: list[object] = []
         self.reasons: list[str] = []
-        view.point_dragged.connect(self._on_dragged)
+        view.points_dragged.connect(self._on_dragged)
         view.drag_finished.connect(self._on_finished)
         view.drag_cancelled.connect(self._on_cancelled)
-        view.point_selected.connect(self._on_selected)
+        view.points_picked.connect(self._on_picked)
         view.fell_back.connect(self.reasons.append)
         change(view, document=document)
 
@@ -70,9 +70,14 @@ class Owner:
         self.document = document
         change(self.view, document=document)
 
-    def _on_dragged(self, i: int, j: int, point: np.ndarray, gesture: int) -> None:
-        self.drags.append((i, j, point, gesture))
-        self.document = set_point(self.document, i, j, point)
+    def _on_dragged(self, indices: tuple[tuple[int, int], ...], moved: np.ndarray, gesture: int) -> None:
+        if not self.drags or self.drags[-1][2] != gesture:
+            self.before = self.document
+        self.drags.append((indices, moved, gesture))
+        net = self.before.control_points.copy()
+        for index, way in zip(indices, moved, strict=True):
+            net[index] = np.round(net[index] + way, 12)
+        self.document = set_points(self.document, net)
         change(self.view, document=self.document, dragging=True)
 
     def _on_finished(self, gesture: int) -> None:
@@ -84,9 +89,12 @@ class Owner:
         self.document = self.before
         change(self.view, document=self.document, dragging=False)
 
-    def _on_selected(self, index: tuple[int, int] | None) -> None:
-        self.selections.append(index)
-        select(self.view, *([] if index is None else [index]))
+    def _on_picked(self, picked: tuple[tuple[int, int], ...], picking: str) -> None:
+        self.selections.append(picked)
+        before = {} if picking == "replace" else dict.fromkeys(sorted(self.view.shown.selected))
+        marked = [index for index in before if picking == "add" or index not in picked]
+        marked += [index for index in picked if picking != "toggle" or index not in before]
+        select(self.view, *marked)
 
 
 @pytest.fixture
@@ -116,6 +124,7 @@ def make_view(app: object, spin: Callable[..., None]) -> Iterator[Callable[..., 
         view.show()
         spin(lambda: bool(frames))
         view.set_camera("paper", animated=False)
+        owner.make_rest = lambda: settle(view)
         if at_rest:
             settle(view)
         return owner

@@ -182,7 +182,7 @@ def test_the_axes_box_opens_toward_the_viewer():
     assert y.outward[0] > 0
     assert y.outward[1] > 0
     assert z.outward[0] < 0
-    assert x.texts == ["0", "1", "2", "3", "4"]
+    assert x.labels.texts == ["0", "1", "2", "3", "4"]
 
 
 def test_from_above_the_z_axis_has_no_ticks():

@@ -8,32 +8,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QMainWindow
+from PySide6.QtWidgets import QMainWindow
 
-from qovr_app.state.display import DisplaySettings, LayerChoice, Projection, Scaling
+from qovr_app.state.display import DisplaySettings, LayerChoice, MouseScheme, Projection, Scaling
 from qovr_app.view3d.interaction import camera_motion
-from qovr_core.edits import set_point, set_samples
+from qovr_app.view3d.scene.probing import parameters_under
+from qovr_core import Formulation
+from qovr_core.edits import set_formulation, set_point, set_samples
 from qovr_core.presets import preset
-from support.view import change, select
-
-
-def wheel(viewport, at, notches):
-    position = QPointF(*at)
-    none = Qt.KeyboardModifier.NoModifier
-    event = QWheelEvent(
-        position,
-        viewport.mapToGlobal(position),
-        QPoint(),
-        QPoint(0, 120 * notches),
-        Qt.MouseButton.NoButton,
-        none,
-        Qt.ScrollPhase.NoScrollPhase,
-        False,
-    )
-    QApplication.sendEvent(viewport, event)
+from support.view import change, choose, select, wheel
 
 
 def test_the_camera_stays_when_the_document_changes(make_view, document):
@@ -70,9 +55,9 @@ def test_mouse_drags_orbit_and_pan(make_view, document):
     turned = view.camera
     assert turned.azimuth < before.azimuth
     assert turned.elevation > before.elevation
-    QTest.mousePress(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(5, 5))
+    QTest.mousePress(viewport, Qt.MouseButton.RightButton, pos=QPoint(5, 5))
     QTest.mouseMove(viewport, QPoint(25, 5))
-    QTest.mouseRelease(viewport, Qt.MouseButton.MiddleButton, pos=QPoint(25, 5))
+    QTest.mouseRelease(viewport, Qt.MouseButton.RightButton, pos=QPoint(25, 5))
     assert view.camera.centre != turned.centre
     assert view.camera.azimuth == turned.azimuth
 
@@ -80,7 +65,7 @@ def test_mouse_drags_orbit_and_pan(make_view, document):
 def test_keys_turn_and_zoom(make_view, document):
     view = make_view(document).view
     viewport, before = view.viewports[0], view.camera
-    QTest.keyClick(viewport, Qt.Key.Key_Left)
+    QTest.keyClick(viewport, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
     assert view.camera.azimuth == pytest.approx(before.azimuth - 5)
     QTest.keyClick(viewport, Qt.Key.Key_Plus)
     assert view.camera.span < before.span
@@ -100,6 +85,72 @@ def test_a_named_view_is_reached_by_a_turn(make_view, document, spin, monkeypatc
     assert view.camera.azimuth == -90
 
 
+def test_one_looks_back_and_forward(make_view, document, spin):
+    view = make_view(document).view
+    places = [view.camera]
+    for notches in (3, 4):
+        wheel(view.viewports[0], (50, 60), notches)
+        wheel(view.viewports[0], (50, 60), 1)
+        places.append(view.camera)
+        spin(camera_motion.REST_MILLISECONDS + 100)
+    for place in (places[1], places[0]):
+        view.camera_motion.recall(forward=False)
+        spin(lambda place=place: view.camera == place)
+    view.camera_motion.recall(forward=False)
+    spin(50)
+    assert view.camera == places[0]
+    for place in places[1:]:
+        view.camera_motion.recall(forward=True)
+        spin(lambda place=place: view.camera == place)
+
+
+def test_one_looks_at_the_selected_points_from_near(make_view, document, expected_pixel):
+    view = make_view(document, layer=LayerChoice.RAW).view
+    select(view, (0, 3), (0, 4))
+    view.fit(selection=True, animated=False)
+    ends = [expected_pixel(view, document.control_points[index]) for index in ((0, 3), (0, 4))]
+    assert np.mean(ends, axis=0) == pytest.approx([view.width() / 2, view.height() / 2], abs=1)
+    assert np.ptp(ends, axis=0).max() > 100
+
+
+def test_an_orbit_turns_about_what_is_under_the_mouse(make_view, document):
+    view = make_view(document, layer=LayerChoice.RAW, control_points=False).view
+    wheel(view.viewports[0], (300, 250), 4)
+    picture, size, at = view.picture(), view.viewports[0].logical_size, (320, 270)
+    u, v = parameters_under(picture.scene, view.camera, size, *at)
+    point = picture.scene.patch.points([u], [v])[0, 0]
+    QTest.mousePress(view.viewports[0], Qt.MouseButton.LeftButton, pos=QPoint(*at))
+    for step in range(1, 9):
+        QTest.mouseMove(view.viewports[0], QPoint(at[0] + 9 * step, at[1] - 4 * step))
+    QTest.mouseRelease(view.viewports[0], Qt.MouseButton.LeftButton, pos=QPoint(392, 238))
+    assert view.camera.azimuth != picture.camera.azimuth
+    assert view.camera.project(point, size)[:2] == pytest.approx(at, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("scheme", "button", "modifier", "pans"),
+    [
+        ("rhino", "Right", "No", False),
+        ("rhino", "Right", "Shift", True),
+        ("blender", "Middle", "No", False),
+        ("blender", "Middle", "Shift", True),
+        ("blender", "Right", "No", True),
+        ("cad", "Middle", "No", False),
+        ("cad", "Middle", "Control", True),
+        ("cad", "Right", "No", True),
+    ],
+)
+def test_buttons_move_the_camera_as_other_programs_do(make_view, document, scheme, button, modifier, pans):
+    view = make_view(document, at_rest=False, mouse=MouseScheme(scheme)).view
+    viewport, before = view.viewports[0], view.camera
+    button, modifier = getattr(Qt.MouseButton, f"{button}Button"), getattr(Qt.KeyboardModifier, f"{modifier}Modifier")
+    QTest.mousePress(viewport, button, modifier, QPoint(5, 5))
+    QTest.mouseMove(viewport, QPoint(45, 15))
+    QTest.mouseRelease(viewport, button, modifier, QPoint(45, 15))
+    assert (view.camera.azimuth == before.azimuth) is pans
+    assert (view.camera.centre != before.centre) is pans
+
+
 def test_fit_shows_everything_again(make_view, document):
     view = make_view(document).view
     fitted = view.camera
@@ -116,8 +167,8 @@ def test_settings_change_projection_and_scaling(make_view, document):
     assert np.ptp(view.picture().scene.frame.scale) == 0
 
 
-def test_limits_wait_while_a_point_is_dragged(make_view, document, expected_pixel):
-    owner = make_view(document, layer=LayerChoice.RAW)
+def test_limits_follow_by_choice_but_wait_while_a_point_is_dragged(make_view, document, expected_pixel):
+    owner = make_view(document, layer=LayerChoice.RAW, always_fits=True)
     viewport = owner.view.viewports[0]
     at = QPoint(*(round(value) for value in expected_pixel(owner.view, document.control_points[0, 4])))
     limits = owner.view.picture().scene.frame.limits
@@ -127,6 +178,20 @@ def test_limits_wait_while_a_point_is_dragged(make_view, document, expected_pixe
     np.testing.assert_array_equal(owner.view.picture().scene.frame.limits, limits)
     QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=at + QPoint(0, -150))
     assert (owner.view.picture().scene.frame.limits != limits).any()
+
+
+@pytest.mark.parametrize("change_of", ["formulation", "opening", "layer"])
+def test_limits_are_taken_anew_for_something_else(make_view, document, change_of):
+    owner = make_view(document, layer=LayerChoice.RAW)
+    owner.show(set_point(document, 2, 2, (2.0, 2.0, 7.0)))
+    assert owner.view.picture().leaves_frame
+    if change_of == "formulation":
+        owner.show(set_formulation(owner.document, Formulation.DOUBLE_SUM))
+    elif change_of == "opening":
+        change(owner.view, opening=1)
+    else:
+        choose(owner.view, layer=LayerChoice.TRANSFORMED)
+    assert not owner.view.picture().leaves_frame
 
 
 def test_the_grid_is_coarse_in_motion_and_fine_at_rest(make_view, document, spin):

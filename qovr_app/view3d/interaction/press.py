@@ -1,0 +1,46 @@
+"""One press of a button of the mouse, and what it does."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from PySide6.QtCore import QPointF, Qt
+
+from qovr_app.state.looking_intents import Picking
+from qovr_app.view3d.interaction.mouse_schemes import Motion
+from qovr_core.arrays import Array
+from qovr_core.document import NetIndex
+
+
+class Doing(StrEnum):
+    """What a press does."""
+
+    MOVE = "move points"
+    LOOK = "move the camera"
+    SELECT = "draw a rectangle"
+    WAIT = "wait for the release"
+
+
+@dataclass
+class Press:
+    """One press, from the button going down to its release.
+
+    Parameters
+    ----------
+    button, at : which button, and the pixel where it went down
+    doing : what the press does
+    motion, pivot : how it moves the camera, and about which point (3,) of the unit space an orbit turns
+    point : the control point that a click without a move means
+    picking : what it does to the selection
+    has_moved : whether it has become a drag
+    """
+
+    button: Qt.MouseButton
+    at: QPointF
+    doing: Doing
+    motion: Motion | None = None
+    pivot: Array | None = None
+    point: NetIndex | None = None
+    picking: Picking = Picking.REPLACE
+    has_moved: bool = False

@@ -1,0 +1,167 @@
+"""What the mouse does, over the picture: gizmo, guide line, ghost, numbers of a drag, the rectangle that selects."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from qovr_app.state.names import AXES
+from qovr_app.style.theme import Rgb, Theme
+from qovr_app.view3d.painter.colour_bar import bar_rect
+from qovr_app.view3d.painter.note import draw_plate
+from qovr_app.view3d.painter.text import NORMAL, SMALL, Runs, draw_text, plain, text_size
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.gizmo import gizmo_at
+from qovr_app.view3d.scene.grip import Freedom, across, along
+from qovr_app.view3d.scene.hand import Band, DragMarks
+from qovr_app.view3d.scene.picture import Picture, has_colour_bar
+from qovr_core.arrays import Array
+from qovr_core.number_texts import rounded_text, true_minus
+
+_ARROW_WIDTH, _USED_WIDTH = 2.2, 3.6
+_HEAD = 11.0
+_SQUARE_OPACITY, _USED_OPACITY = 0.35, 0.8
+
+_GUIDE_REACH = 4.0
+"""Unit lengths of a guide line both ways: beyond the axes box wherever it begins."""
+
+_GHOST_RADIUS = 5.0
+_DIGITS = 6
+"""Of the numbers beside the point; what a mouse makes has fewer."""
+
+_GAP, _PAD, _LEADING = 16.0, 8.0, 17.0
+_EDGE = 6.0
+"""Pixels that the plate of numbers keeps from the viewport's sides and from the colour bar."""
+
+_HELP = "type a value · Ctrl step · Shift fine · X Y Z lock · Esc back"
+
+
+def axis_colours(theme: Theme) -> tuple[Rgb, Rgb, Rgb]:
+    """Return the colours of the axes x, y and z."""
+    red, _, green, blue, _ = theme.series
+    return red, green, blue
+
+
+def draw_hand(painter: QPainter, picture: Picture, size: Size) -> None:
+    """Draw what is seen of the mouse, if anything is."""
+    hand = picture.hand
+    if hand is None:
+        return
+    if hand.drag is not None:
+        _draw_way(painter, picture, hand.drag, size)
+    if picture.has_gizmo and picture.last_selected is not None:
+        at = picture.last_selected if hand.drag is None else hand.drag.indices[0]
+        _draw_gizmo(painter, picture, picture.scene.points[at], hand.freedom, size)
+    if hand.drag is not None:
+        _draw_numbers(painter, picture, hand.drag, size)
+    if hand.band is not None:
+        _draw_band(painter, hand.band, picture.theme)
+
+
+def _draw_gizmo(painter: QPainter, picture: Picture, point: Array, used: Freedom | None, size: Size) -> None:
+    gizmo = gizmo_at(point, picture.camera, size)
+    if gizmo is None:
+        return
+    colours = axis_colours(picture.theme)
+    for axis, corners in gizmo.squares.items():
+        ground = QColor(*colours[axis])
+        ground.setAlphaF(_USED_OPACITY if used == across(axis) else _SQUARE_OPACITY)
+        painter.setPen(QPen(QColor(*colours[axis]), 1.0))
+        painter.setBrush(ground)
+        painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in corners.tolist()]))
+    for axis, ends in gizmo.arrows.items():
+        width = _USED_WIDTH if used == along(axis) else _ARROW_WIDTH
+        way = ends[1] - ends[0]
+        way = way / np.hypot(*way)
+        neck, side = ends[1] - _HEAD * way, 0.4 * _HEAD * np.array([-way[1], way[0]])
+        for colour, extra in ((picture.theme.rim, 2.0), (colours[axis], 0.0)):
+            painter.setPen(QPen(QColor(*colour), width + extra, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+            painter.drawLine(QLineF(*ends[0].tolist(), *neck.tolist()))
+        painter.setPen(QPen(QColor(*picture.theme.rim), 1.0))
+        painter.setBrush(QColor(*colours[axis]))
+        head = [ends[1], neck + side, neck - side]
+        painter.drawPolygon(QPolygonF([QPointF(*corner.tolist()) for corner in head]))
+        letter = ends[1] + 9.0 * way
+        draw_text(
+            painter,
+            plain(AXES[axis].upper()),
+            tuple(letter.tolist()),
+            (0.5, 0.5),
+            colours[axis],
+            halo=picture.theme.rim,
+        )
+
+
+def _draw_way(painter: QPainter, picture: Picture, drag: DragMarks, size: Size) -> None:
+    """Draw the lines along which the point moves, and where the points were."""
+    theme, frame = picture.theme, picture.scene.frame
+    here, colours = picture.scene.points[drag.indices[0]], axis_colours(theme)
+    for number, way in enumerate(drag.ways):
+        parts = np.linspace(-_GUIDE_REACH, _GUIDE_REACH, 33)[:, None]
+        seen = picture.camera.project(here + parts * way, size)[:, :2]
+        seen = seen[np.isfinite(seen).all(axis=1)]
+        if len(seen) > 1:
+            colour = colours[drag.freedom.axes[number]] if drag.freedom.axes else theme.accent
+            painter.setPen(QPen(QColor(*colour), 1.4, Qt.PenStyle.DashLine))
+            painter.drawLine(QLineF(*seen[0].tolist(), *seen[-1].tolist()))
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    for x, y in picture.camera.project(frame.to_unit(drag.begun), size)[:, :2].tolist():
+        if np.isfinite(x):
+            for colour, width in ((theme.rim, 3.4), (theme.accent, 1.4)):
+                painter.setPen(QPen(QColor(*colour), width))
+                painter.drawEllipse(QPointF(x, y), _GHOST_RADIUS, _GHOST_RADIUS)
+
+
+def drag_text(picture: Picture, drag: DragMarks) -> tuple[Runs, str]:
+    """Return the name of what is dragged, and the numbers that change, with how far they are from where they were."""
+    (i, j), others = drag.indices[0], len(drag.indices) - 1
+    name: Runs = (("P", False), (f"{i},{j}", True))
+    if others:
+        name = (*name, (f" and {others} more", False))
+    now = picture.scene.document.control_points[i, j]
+    moved = now - drag.begun[0]
+    if drag.freedom.along_normal:
+        text = f"along the normal {_signed(float(np.linalg.norm(moved)))}" if not drag.typed else ""
+    else:
+        text = "  ".join(
+            f"{AXES[axis]} {rounded_text(now[axis], _DIGITS)} ({_signed(moved[axis])})" for axis in drag.freedom.axes
+        )
+    if drag.typed:
+        way = AXES[drag.freedom.axis] if drag.freedom.axis is not None else "along the normal"
+        text = f"{way} {'by' if drag.is_difference else '='} {true_minus(drag.typed)}|"
+    return name, text
+
+
+def _signed(value: float) -> str:
+    text = rounded_text(round(value, 15), _DIGITS)
+    return text if value < 0 else f"+{text}"
+
+
+def _draw_numbers(painter: QPainter, picture: Picture, drag: DragMarks, size: Size) -> None:
+    """Draw the plate beside the point that says where it is; it never lies over the colour bar."""
+    x, y = picture.camera.project(picture.scene.points[drag.indices[0]][None], size)[0, :2].tolist()
+    if not np.isfinite(x):
+        return
+    name, numbers = drag_text(picture, drag)
+    line: Runs = (*name, (f"   {numbers}", False))
+    width = max(text_size(line, NORMAL)[0], text_size(plain(_HELP), SMALL)[0]) + 2 * _PAD
+    height = 2 * _LEADING + _PAD
+    right = bar_rect(size).left() - _EDGE if has_colour_bar(picture.settings, size) else size[0] - _EDGE
+    left = x + _GAP if x + _GAP + width <= right else x - _GAP - width
+    plate = QRectF(
+        min(max(left, _EDGE), right - width), min(max(y + _GAP, _EDGE), size[1] - height - _EDGE), width, height
+    )
+    draw_plate(painter, plate, picture.theme)
+    top = plate.top() + _PAD / 2 + _LEADING / 2
+    draw_text(painter, line, (plate.left() + _PAD, top), (0, 0.5), picture.theme.ink, pixels=NORMAL)
+    draw_text(painter, plain(_HELP), (plate.left() + _PAD, top + _LEADING), (0, 0.5), picture.theme.quiet_ink)
+
+
+def _draw_band(painter: QPainter, band: Band, theme: Theme) -> None:
+    ground = QColor(*theme.accent)
+    ground.setAlphaF(0.12)
+    painter.setPen(QPen(QColor(*theme.accent), 1.0, Qt.PenStyle.DashLine))
+    painter.setBrush(ground)
+    left, top, right, bottom = band
+    painter.drawRect(QRectF(QPointF(left, top), QPointF(right, bottom)).normalized())

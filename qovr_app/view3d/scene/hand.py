@@ -1,0 +1,76 @@
+"""What the mouse does in a viewport, as far as it is seen: values for the overlay."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+from qovr_app.view3d.scene.grip import Freedom
+from qovr_core.arrays import Array
+from qovr_core.document import NetIndex
+
+Band = tuple[float, float, float, float]
+"""Left, top, right and bottom of a rectangle that is drawn with the mouse, in logical pixels."""
+
+
+class MenuPlace(StrEnum):
+    """What a menu is asked for."""
+
+    POINT = "point"
+    NET_LINE = "net line"
+    COLOUR_BAR = "colour bar"
+    VIEW = "view"
+
+
+@dataclass(frozen=True)
+class MenuWish:
+    """A menu that is wanted.
+
+    Parameters
+    ----------
+    place : what it is for
+    at : the pixel of the viewport
+    points : the control points there, the nearest first, or those of the line
+    """
+
+    place: MenuPlace
+    at: tuple[float, float]
+    points: tuple[NetIndex, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class DragMarks:
+    """A drag of control points.
+
+    Parameters
+    ----------
+    indices : the points, the one in the hand first
+    begun : (k, 3) where they were when the drag began, in the document's units
+    ways : (m, 3) unit vectors of the unit space along which the one in the hand moves; m is 0 in the view's plane
+    freedom : what may change
+    typed : the number that is being typed
+    is_difference : whether what is typed is the way, and not a coordinate
+    """
+
+    indices: tuple[NetIndex, ...]
+    begun: Array
+    ways: Array
+    freedom: Freedom
+    typed: str = ""
+    is_difference: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Hand:
+    """Everything that is seen of the mouse in one viewport.
+
+    Parameters
+    ----------
+    freedom : of the part of the gizmo that is under the mouse or in use; None for none
+    drag : the points that are being moved; None for none
+    band : the rectangle that selects; None for none
+    """
+
+    freedom: Freedom | None = None
+    drag: DragMarks | None = None
+    band: Band | None = None
