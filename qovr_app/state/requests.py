@@ -139,6 +139,11 @@ class CameraMoved(Request):
 
 
 @dataclass(frozen=True)
+class ViewRestartAsked(Request):
+    """Begin again with the drawing of the view."""
+
+
+@dataclass(frozen=True)
 class RangeAsked(Request):
     """Ask for the ends of a fixed range of colours."""
 

@@ -1,10 +1,10 @@
-"""What can be copied for a spreadsheet, and pasted from one."""
+"""What can be copied for a spreadsheet or a page, and pasted from one."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QGuiApplication, QImage
 
 from qovr_app.state.intents import ValuesPasted
 from qovr_app.state.looking_intents import MessageShown
@@ -21,15 +21,16 @@ from qovr_core.edits import CoordinatePlace, Place
 
 
 class Clipboard:
-    """Copies zones, one coordinate of all points, and what the probe says; pastes blocks."""
+    """Copies zones, one coordinate of all points, the view as a picture, and what the probe says; pastes blocks."""
 
-    def __init__(self, layout: Layout, probe_text: Callable[[], str], store: Store) -> None:
-        self._layout, self._probe_text, self._store, self._dispatch = layout, probe_text, store, store.dispatch
-        self._copies = {
+    def __init__(self, layout: Layout, store: Store) -> None:
+        self._layout, self._store, self._dispatch = layout, store, store.dispatch
+        self._copies: dict[str, Callable[[], str]] = {
             "zone": self._copy_zone,
             "plane": self._copy_plane,
             "probe": self._copy_probe,
             "points": self._copy_points,
+            "picture": self._copy_picture,
             "citation": self._copy_citation,
             "report": self._copy_report,
         }
@@ -89,8 +90,13 @@ class Clipboard:
         return "Copied one coordinate of all control points"
 
     def _copy_probe(self) -> str:
-        text = self._probe_text()
+        text = self._layout.view_frame.probe_text()
         if not text:
             return "There is nothing under the probe (F8) to copy."
         QGuiApplication.clipboard().setText(text)
         return "Copied what the probe says"
+
+    def _copy_picture(self) -> str:
+        image = self._layout.view_frame.image()
+        QGuiApplication.clipboard().setImage(image.convertToFormat(QImage.Format.Format_RGB32))
+        return f"Copied the picture of {image.width()} × {image.height()} pixels"

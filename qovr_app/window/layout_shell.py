@@ -23,11 +23,12 @@ class LayoutShell:
 
     def __init__(self, store: Store, layout: Layout, window: QWidget) -> None:
         self._store, self._layout, self._window = store, layout, window
-        clipboard = Clipboard(layout, layout.view_frame.probe_text, store)
+        clipboard = Clipboard(layout, store)
         self.answers: Answers = {
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,
+            requests.ViewRestartAsked: layout.view_frame.restart,
             requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
             requests.TransformAsked: self._ask_transform,

@@ -172,9 +172,10 @@ def test_an_older_figure_is_replaced_whole(view, tmp_path):
 
 def test_a_driver_that_fails_on_a_figure_leaves_it_to_the_painter(make_view, document, tmp_path, monkeypatch, silenced):
     from qovr_app.view3d.gl import figure as gl_figure
+    from qovr_app.view3d.gl.api import DriverError
 
     def fail(*args, **kwargs):
-        raise RuntimeError("no framebuffer")
+        raise DriverError("no framebuffer")
 
     owner = make_view(document, layer=LayerChoice.RAW)
     monkeypatch.setattr(gl_figure, "sampled_buffer", fail)
