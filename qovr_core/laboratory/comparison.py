@@ -110,7 +110,7 @@ class ComparisonInput:
         if self.document.net_size == 0:
             place = ", ".join(f"{value:.6g}" for value in self.document.control_points[0, 0] + 0.0)
             raise EvaluationError(
-                f"the control points all lie at ({place}); expected some that do not, as a tenth of their size is moved"
+                f"the control points all lie in one place, ({place}); expected a net of some size to compare"
             )
 
     @property
