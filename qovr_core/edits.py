@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from typing import Any
@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array
-from qovr_core.document import Document
+from qovr_core.document import Document, NetIndex
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Direction, KnotPlace, Knots, knot_array
@@ -50,6 +50,14 @@ def knots_of(document: Document, direction: Direction) -> tuple[Knots, ...]:
 def zone_of(place: Place) -> Zone:
     """Return the part of the document in which a place lies."""
     return Zone.CONTROL_POINTS if isinstance(place, CoordinatePlace) else Zone(place.direction.value)
+
+
+def check_points(document: Document, indices: Iterable[NetIndex]) -> None:
+    """Raise DocumentError where the net has no such points."""
+    rows, columns, _ = document.control_points.shape
+    for i, j in indices:
+        if not (0 <= i < rows and 0 <= j < columns):
+            raise DocumentError("the point", f"P {i},{j}", f"one of a net of {rows} x {columns}")
 
 
 def set_point(document: Document, i: int, j: int, point: npt.ArrayLike) -> Document:

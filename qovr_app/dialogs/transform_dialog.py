@@ -9,6 +9,7 @@ from qovr_app.state.names import AXES
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.plain import plain_label
+from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import QovrError
 from qovr_core.checks import checked_number
 from qovr_core.net_edits import About, Transform, Triple
@@ -41,6 +42,7 @@ class TransformDialog(QDialog):
         self._axis.addItems([f"about {letter}" for letter in AXES])
         self._axis.setCurrentIndex(len(AXES) - 1)
         self._about = named(QComboBox(self), "transform.about", "What stays where it is")
+        guard_from_wheels(self._axis, self._about)
         self._about.addItems(list(_ABOUT.values()))
         for row, label, widgets in ((3, "Rotate by °", (self._degrees, self._axis)), (4, "Scale, rotate about", ())):
             grid.addWidget(QLabel(label, self), row, 0)

@@ -45,6 +45,8 @@ class CurvePanel(LaboratoryPanel):
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         if before is None or before.display.theme != after.display.theme:
             self._plots.show_theme(theme_of(after.display.theme))
+        if after.differs(before, "document"):
+            self._bar.show_curves(after.document)
         if before is None or before.focus != after.focus:
             self._bar.follow(after.focus)
         if after.differs(before, "shown_document"):

@@ -12,7 +12,7 @@ from qovr_app.state.looking_intents import Picking
 from qovr_app.state.tools import can_be
 from qovr_core import DocumentError, Layer, QovrError
 from qovr_core.document import NetIndex
-from qovr_core.edits import CoordinatePlace, zone_of
+from qovr_core.edits import CoordinatePlace, check_points, zone_of
 from qovr_core.fields import Field
 
 DRAG_HINT = "Drag: up and down along z. Tap X, Y or Z: along that axis. Type a value. Esc: put the point back."
@@ -20,6 +20,7 @@ DRAG_HINT = "Drag: up and down along z. Tap X, Y or Z: along that axis. Type a v
 
 def selected(state: EditorState, intent: looking_intents.Selected) -> EditorState:
     picked = () if intent.last is None else (intent.last, *intent.others)
+    check_points(state.document, picked)
     before = state.selection.points if intent.picking is not Picking.REPLACE else frozenset()
     points = before ^ frozenset(picked) if intent.picking is Picking.TOGGLE else before | frozenset(picked)
     if not points:

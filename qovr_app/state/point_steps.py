@@ -40,7 +40,7 @@ def points_nudged(state: EditorState, intent: point_intents.PointsNudged) -> Edi
 def points_edited(state: EditorState, intent: point_intents.PointsEdited) -> EditorState:
     """Bring points to where an edit has them; of the document even where edits wait, as by hand."""
     document, edit = state.document, intent.edit
-    _check_indices(document, intent.indices)
+    edits.check_points(document, intent.indices)
     indices = np.array(intent.indices, dtype=np.intp).reshape(-1, 2)
     displacements = edit.of(document.control_points, indices) - document.control_points[tuple(indices.T)]
     is_soft = state.tools.soft and edit.is_soft
@@ -67,7 +67,7 @@ def _moved(
     ------
     DocumentError : the net has no such point, or there is not one displacement a point
     """
-    _check_indices(document, indices)
+    edits.check_points(document, indices)
     if displacements.shape != (len(indices), 3):
         raise DocumentError(
             "the count of displacements", str(len(displacements)), f"{len(indices)}, one for each point"
@@ -84,13 +84,6 @@ def _moved(
     field, _ = softened(moves, tools.soft_radius) if is_soft else moves
     result: Array = net + field
     return result
-
-
-def _check_indices(document: Document, indices: tuple[NetIndex, ...]) -> None:
-    rows, columns, _ = document.control_points.shape
-    for i, j in indices:
-        if not (0 <= i < rows and 0 <= j < columns):
-            raise DocumentError("the point to move", f"P {i},{j}", f"one of a net of {rows} x {columns}")
 
 
 def _triples(displacements: tuple[tuple[float, float, float], ...]) -> Array:

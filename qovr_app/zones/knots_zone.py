@@ -131,7 +131,7 @@ class KnotsZone(FieldZone):
         curves, directions = state.links_curves, state.links_directions
         letter = self._direction.letter
         whose = (
-            f"{symbol_html(letter, '0')}..{symbol_html(letter, '4')}"
+            f"{symbol_html(letter, '0')}..{symbol_html(letter, str(NET_SIZE - 1))}"
             if curves
             else symbol_html(letter, str(place.curve))
         )

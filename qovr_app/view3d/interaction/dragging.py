@@ -160,8 +160,9 @@ class PointDragger(QObject):
 
     def drop(self) -> None:
         """Let go of the points, without a word."""
-        self._gesture, self._held = 0, None
-        self.changed.emit()
+        has_held, self._gesture, self._held = self.is_pressed, 0, None
+        if has_held:
+            self.changed.emit()
 
     @property
     def _step(self) -> float | None:

@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 
 from qovr_app.dialogs.export_choices import ExportChoices
 from qovr_app.dialogs.figure_dialog import FigureDialog
+from qovr_app.dialogs.transform_dialog import TransformDialog
 from qovr_app.laboratory.panels import PANELS
 from qovr_app.state.intents import ValuesEdited
 from qovr_app.state.looking_intents import PanelShown
@@ -44,6 +45,10 @@ def turn(widget, notches):
     return event.isAccepted()
 
 
+def nothing(_path, _options, _progress):
+    """Write no figure."""
+
+
 def value_of(widget):
     if isinstance(widget, QComboBox | QTabBar):
         return widget.currentIndex()
@@ -58,8 +63,9 @@ def turnable(parent):
 
 def test_a_wheel_changes_nothing_that_has_not_the_keyboard(editor, tmp_path):
     dialogs = [
-        FigureDialog(tmp_path / "x.png", "lines", editor.window),
+        FigureDialog(tmp_path / "x.png", "lines", nothing, editor.window.worker, editor.window),
         ExportChoices(editor.document, ExportOptions()),
+        TransformDialog("4 points", 1.0, editor.window),
     ]
     for dialog in dialogs:
         dialog.show()
@@ -151,7 +157,7 @@ def test_the_figure_dialog_takes_point_and_comma_and_never_a_group(editor, tmp_p
     before = QLocale()
     QLocale.setDefault(QLocale(locale))
     try:
-        dialog = FigureDialog(tmp_path / "x.png", "lines", editor.window)
+        dialog = FigureDialog(tmp_path / "x.png", "lines", nothing, editor.window.worker, editor.window)
         dialog.show()
         width, dpi = dialog.findChild(QWidget, "figure.width"), dialog.findChild(QWidget, "figure.dpi")
         for text, value in (("1234,5", 1234.5), ("1234.5", 1234.5), (" 812.5 ", 812.5)):

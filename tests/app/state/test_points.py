@@ -181,3 +181,16 @@ def test_making_symmetric_is_one_step(start):
     state = after(state, point_intents.MadeSymmetric(Direction.COLUMNS, Source.FIRST))
     assert state.history.undo_text == "Make symmetric across columns"
     np.testing.assert_allclose(moved(start, state)[1, 4], [-0.1, 0.2, 0.3], atol=1e-15)
+
+
+@pytest.mark.parametrize("index", [(5, 0), (0, -1)])
+def test_a_point_that_is_none_is_not_selected(start, index):
+    with pytest.raises(QovrError, match="a net of 5 x 5"):
+        after(start, looking_intents.Selected((1, 1), (index,)))
+
+
+@pytest.mark.parametrize("size", [0.0, -1.0, float("inf"), float("nan"), "2"])
+def test_a_step_or_radius_that_is_none_is_refused(start, size):
+    for setting in ("snap_step", "soft_radius"):
+        with pytest.raises(QovrError, match="a number above 0"):
+            after(start, *tools(**{setting: size}))
