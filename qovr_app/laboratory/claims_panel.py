@@ -22,7 +22,7 @@ from qovr_app.widgets.plain import plain_label, plain_tip
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
-from qovr_core import FORMULATIONS, Document
+from qovr_core import FORMULATIONS, Document, QovrError
 from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import Finding, verify
@@ -87,6 +87,7 @@ class ClaimsPanel(WorkingPanel):
         if document == self._document:
             return
         self._document, self._found = document, 0
+        self.offer_again(is_offered=False)
         self._table.set_old()
         self._show_progress("The document has changed: verdicts in grey are of the one before.")
         self.work.restart()
@@ -95,12 +96,17 @@ class ClaimsPanel(WorkingPanel):
 
     def begin(self) -> Job:
         self._found, self._row = 0, []
+        self.offer_again(is_offered=False)
         return self.worker.run(
             verify,
             self._document,
             on_progress=self._on_found,
-            on_failed=lambda error: self._show_progress(f"No verdicts: {error}."),
+            on_failed=self._on_failed,
         )
+
+    def _on_failed(self, error: QovrError) -> None:
+        self._show_progress(f"No verdicts: {error}.")
+        self.offer_again(is_offered=True)
 
     def _on_found(self, finding: Finding) -> None:
         self._found += 1
@@ -179,7 +185,7 @@ class ClaimsPanel(WorkingPanel):
         layout.setSpacing(SPACE)
         layout.addWidget(splitter, 1)
         layout.addWidget(self._progress)
-        layout.addWidget(self._state)
+        layout.addLayout(self.with_again(self._state, "laboratory.claims"))
 
 
 _SYMBOL = re.compile(r"\b([A-Za-z])_(ip|\d(?:,\d)?)\b")

@@ -73,6 +73,7 @@ class ComparisonPanel(WorkingPanel):
 
     def begin(self) -> Job | None:
         self._measures = {}
+        self.offer_again(is_offered=False)
         if self._wanted is None:
             return None
         try:
@@ -82,7 +83,7 @@ class ComparisonPanel(WorkingPanel):
             return None
         self._state.setText(f"{_motion_html(compared)} Measuring …")
         on_found = partial(self._on_found, compared)
-        return self.worker.run(compare, *self._wanted, on_progress=on_found, on_failed=self._refuse)
+        return self.worker.run(compare, *self._wanted, on_progress=on_found, on_failed=self._on_failed)
 
     def _on_found(self, compared: ComparisonInput, name: str, measures: Measures) -> None:
         self._measures[name] = measures
@@ -90,6 +91,10 @@ class ComparisonPanel(WorkingPanel):
         if self.is_current:
             self._state.setText(f"{_motion_html(compared)} Lengths are in the net's units.")
             self._bar.set_copyable(True)
+
+    def _on_failed(self, error: QovrError) -> None:
+        self._refuse(error)
+        self.offer_again(is_offered=True)
 
     def _refuse(self, error: QovrError) -> None:
         self._table.clear_measures()
@@ -106,7 +111,7 @@ class ComparisonPanel(WorkingPanel):
         layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
         layout.setSpacing(SPACE)
         layout.addWidget(self._bar)
-        layout.addWidget(self._state)
+        layout.addLayout(self.with_again(self._state, "laboratory.comparison"))
         layout.addWidget(self._table, 1)
 
 

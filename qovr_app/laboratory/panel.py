@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QHBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.store import Store
+from qovr_app.widgets.parts import CompactButton
 from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
@@ -48,6 +49,7 @@ class WorkingPanel(LaboratoryPanel):
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, parent)
         self.work = QuietJob(self.begin, self)
+        self._again: CompactButton | None = None
 
     @property
     def is_outdated(self) -> bool:
@@ -57,6 +59,21 @@ class WorkingPanel(LaboratoryPanel):
     def begin(self) -> Job | None:
         """Ask the worker for the job, of what is shown; return None where there is nothing to do."""
         raise NotImplementedError
+
+    def with_again(self, state: QWidget, name: str) -> QHBoxLayout:
+        """Return a row of what says how the job goes, and a button to begin it again that is there after a failure."""
+        self._again = CompactButton("Try again", f"{name}.again", "Begin the work again", self)
+        self._again.clicked.connect(lambda _checked: self.work.restart())
+        self._again.setVisible(False)
+        row = QHBoxLayout()
+        row.addWidget(state, 1)
+        row.addWidget(self._again)
+        return row
+
+    def offer_again(self, *, is_offered: bool) -> None:
+        """Offer to begin the job again, or no longer."""
+        if self._again is not None:
+            self._again.setVisible(is_offered)
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)

@@ -32,7 +32,7 @@ def packed(call: Call) -> bytes | None:
         pickler.dump(_extras())
         pickler.clear_memo()
         pickler.dump(call)
-    except (pickle.PicklingError, AttributeError, TypeError):
+    except Exception:  # whatever a value's own way of being pickled raises
         return None
     return buffer.getvalue()
 

@@ -57,14 +57,18 @@ class Job:
     def finish(self, result: object) -> None:
         """Tell what the job has returned."""
         self.is_over = True
-        self._tell(self.on_done, result)
-        self._tell_of_end(was_done=True)
+        try:
+            self._tell(self.on_done, result)
+        finally:
+            self._tell_of_end(was_done=True)
 
     def fail(self, error: Exception) -> None:
         """Tell why the job has ended early."""
         self.is_over = True
-        self._tell(self.on_failed, error)
-        self._tell_of_end(was_done=False)
+        try:
+            self._tell(self.on_failed, error)
+        finally:
+            self._tell_of_end(was_done=False)
 
     def _tell(self, callback: Callback | None, *values: object) -> None:
         if callback is not None and not self.is_cancelled:

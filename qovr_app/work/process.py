@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from queue import SimpleQueue
 
+from qovr_app.work.failures import LOGGER
 from qovr_app.work.messages import Cancel, Logged, Run, read_message, write_message
 from qovr_core.files.drafts import remove_drafts
 
@@ -97,6 +98,8 @@ class ChildProcess:
                     logging.getLogger(message.record.name).handle(message.record)
                 else:
                     self._deliver(self, message)
+        except Exception as error:  # whatever a result's own way of being unpickled raises
+            LOGGER.error("a message of the worker cannot be read", exc_info=error)
         finally:
             self._bury()
 

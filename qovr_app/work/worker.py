@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import Future
 from contextlib import suppress
 from functools import partial
 from itertools import count
@@ -15,10 +15,12 @@ from PySide6.QtCore import QObject, Qt, QTimer, Signal
 
 from qovr_app.work.calls import packed
 from qovr_app.work.failures import WorkError, failure_of
+from qovr_app.work.file_thread import FileThread
 from qovr_app.work.here import JobThread
 from qovr_app.work.job import Callback, Job
 from qovr_app.work.messages import Cancelled, Done, Failed, Reported, Unknown
 from qovr_app.work.process import ChildProcess, Lost
+from qovr_core.errors import reason_of
 
 GRACE_MILLISECONDS = 1000
 """So long a cancelled job may take to come to its next report; then its process is killed."""
@@ -40,7 +42,7 @@ class Worker(QObject):
         self._process: ChildProcess | None = None
         self._processes: set[ChildProcess] = set()
         self._runner: ChildProcess | JobThread | None = None
-        self._files: ThreadPoolExecutor | None = None
+        self._files: FileThread | None = None
         self._is_closed = False
         self._grace = QTimer(self, singleShot=True, interval=GRACE_MILLISECONDS)
         self._grace.timeout.connect(self._end_runner)
@@ -87,7 +89,7 @@ class Worker(QObject):
         if self._is_closed:
             return
         if self._files is None:
-            self._files = ThreadPoolExecutor(1, thread_name_prefix="files")
+            self._files = FileThread()
         future = self._files.submit(function, *values)
         future.add_done_callback(lambda ended: self._post(partial(_tell, function, ended, on_done, on_failed)))
 
@@ -104,7 +106,7 @@ class Worker(QObject):
         self._processes.clear()
         self._process = self._runner = self._current = None
         if self._files is not None:
-            self._files.shutdown(wait=True)
+            self._files.close()
 
     # One job after the other
 
@@ -119,8 +121,8 @@ class Worker(QObject):
         if self._process is None or not self._process.is_alive:
             try:
                 self._process = ChildProcess(self._on_message)
-            except OSError as error:
-                refusal = WorkError(f"A process for the work cannot be started: {error.strerror or error}")
+            except (OSError, RuntimeError) as error:  # no process, or no thread to listen to it
+                refusal = WorkError(f"A process for the work cannot be started: {reason_of(error)}")
                 self._end(lambda: job.fail(refusal))
                 return
             self._processes.add(self._process)

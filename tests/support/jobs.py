@@ -77,6 +77,21 @@ def report_what_cannot_travel(report):
     report(lambda: 0)
 
 
+class Unreadable:
+    """What goes into a pipe, and does not come out of it."""
+
+    def __reduce__(self):
+        return _refuse_to_be, ()
+
+
+def _refuse_to_be():
+    raise ArithmeticError("it cannot be put together again")
+
+
+def return_what_cannot_be_read(report):
+    return Unreadable()
+
+
 def print_a_lot(report):
     print("nothing that belongs into an answer")
     os.write(1, b"nor this\n")

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from qovr_app.work.worker import Worker
+from qovr_core.files.drafts import new_draft
 from support import jobs
 from support.working import Heard, children, is_alive
 
@@ -35,16 +36,16 @@ def test_a_cancelled_job_ends_at_its_next_report_and_its_process_goes_on(worker,
 def test_a_job_that_never_reports_is_killed_and_leaves_no_drafts(worker, answer, spin, tmp_path, function):
     target = tmp_path / "a"
     values = [target] if function is jobs.write_and_sleep else []
-    (tmp_path / ".qovr-1-of-another.part").write_text("another process is writing this")
     heard, ended = Heard(), []
-    job = worker.run(function, *values, **heard.callbacks(), target=target)
-    spin(lambda: len(heard) == 1, seconds=60)
-    (pid,) = children()
-    job.cancel(ended.append)
-    assert answer(jobs.environment).result["pid"] != pid
-    assert ended == [False]
-    assert not is_alive(pid)
-    assert [entry.name for entry in tmp_path.iterdir()] == [".qovr-1-of-another.part"]
+    with new_draft(tmp_path) as of_another:
+        job = worker.run(function, *values, **heard.callbacks(), target=target)
+        spin(lambda: len(heard) == 1, seconds=60)
+        (pid,) = children()
+        job.cancel(ended.append)
+        assert answer(jobs.environment).result["pid"] != pid
+        assert ended == [False]
+        assert not is_alive(pid)
+        assert list(tmp_path.iterdir()) == [of_another]
     assert len(heard) == 1
 
 

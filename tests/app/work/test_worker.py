@@ -4,6 +4,7 @@ import logging
 import os
 import signal
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -176,3 +177,35 @@ def test_a_deleted_folder_keeps_no_job_from_being_done(answer, tmp_path, monkeyp
     monkeypatch.chdir(tmp_path / "gone")
     (tmp_path / "gone").rmdir()
     assert answer(jobs.add, 1, 2).result == 3
+
+
+def test_a_result_that_cannot_be_read_ends_the_job(worker, spin, silenced):
+    heard = Heard()
+    worker.run(jobs.return_what_cannot_be_read, **heard.callbacks())
+    spin(lambda: heard.is_over)
+    assert "ended unexpectedly" in str(heard.error)
+    after = Heard()
+    worker.run(jobs.add, 1, 2, **after.callbacks())
+    spin(lambda: after.is_over)
+    assert after.result == 3
+
+
+def test_a_value_that_fails_to_be_packed_is_worked_on_here(worker, spin):
+    class Strange:
+        def __reduce__(self):
+            raise ArithmeticError
+
+    heard = Heard()
+    worker.run(jobs.size_of, [Strange()], **heard.callbacks())
+    spin(lambda: heard.is_over)
+    assert heard.result == 1
+
+
+def test_a_share_that_does_not_answer_does_not_hold_up_the_end(worker, monkeypatch):
+    monkeypatch.setattr("qovr_app.work.file_thread._PATIENCE_SECONDS", 0.1)
+    answers = threading.Event()
+    worker.in_thread(answers.wait, 30)
+    began = time.perf_counter()
+    worker.close()
+    answers.set()
+    assert time.perf_counter() - began < 5
