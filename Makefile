@@ -1,4 +1,4 @@
-.PHONY: run test coverage bench lint docs setup
+.PHONY: run test coverage fuzz bench lint docs setup
 
 PY := .venv/bin/python
 QOVR := .venv/bin/qovr
@@ -27,6 +27,11 @@ test: setup
 coverage: setup
 	@mkdir -p build
 	@$(PY) -m pytest --numprocesses auto --dist worksteal --cov --cov-report term:skip-covered
+
+# Damaged files, for as long as one likes: make fuzz SECONDS=36000. What fails is kept in build/.
+SECONDS ?= 3600
+fuzz: setup
+	@QOVR_FUZZ_SECONDS=$(SECONDS) QOVR_FUZZ_SEED=$$(date +%s) $(PY) -m pytest -s tests/core/test_fuzz.py
 
 bench: setup
 	@$(PY) -m pytest --benchmark-quiet tests/benchmarks

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import sys
+from contextlib import suppress
 from pathlib import Path
-from typing import TYPE_CHECKING
-
-from qovr_app.window.screenshot import add_screenshot_command
-from qovr_core import QovrError, cli
-from qovr_core.files.sources import PRESET_PREFIX, read_source, source_suffixes
+from typing import TYPE_CHECKING, NoReturn
 
 if TYPE_CHECKING:
     from qovr_app.window.main_window import MainWindow
@@ -19,7 +17,14 @@ _EDIT = "edit"
 
 
 def main() -> None:
-    """Run the command line and leave with its exit code."""
+    """Run the command line and leave with its exit code.
+
+    What it needs is imported only here, when a signal no longer ends in a traceback.
+    """
+    _leave_on_signals()
+    from qovr_app.window.screenshot import add_screenshot_command
+    from qovr_core import cli
+
     parser, commands = cli.build_parser()
     add_screenshot_command(commands)
     edit = commands.add_parser(_EDIT, help="open the editor; also without this word: qovr [SOURCE]")
@@ -29,6 +34,19 @@ def main() -> None:
     if not arguments or not (arguments[0].startswith("-") or arguments[0] in commands.choices):
         arguments = [_EDIT, *arguments]
     sys.exit(cli.run(parser, arguments))
+
+
+def _leave_on_signals() -> None:
+    """End at once on Ctrl-C and SIGTERM while nothing is begun yet, and when all is done."""
+
+    def leave(number: int, _frame: object) -> NoReturn:
+        with suppress(OSError):
+            os.write(2, b"qovr: interrupted; no unfinished file is left\n")
+        os._exit(128 + number)
+
+    for number, usual in ((signal.SIGINT, signal.default_int_handler), (signal.SIGTERM, signal.SIG_DFL)):
+        if signal.getsignal(number) == usual:
+            signal.signal(number, leave)
 
 
 def create_window(path: str | None = None) -> MainWindow:
@@ -48,6 +66,7 @@ def create_window(path: str | None = None) -> MainWindow:
     from qovr_app.window.preferences import Preferences
     from qovr_app.window.recovery import RecoveryStore
     from qovr_app.window.sources import is_large
+    from qovr_core import QovrError
 
     preferences = Preferences()
     source, refusal = None if path is None else str(path), preferences.complaint
@@ -68,6 +87,7 @@ def create_window(path: str | None = None) -> MainWindow:
 def _edit(arguments: argparse.Namespace) -> int:
     from qovr_app.window.application import make_application
     from qovr_app.window.signals import EndSignals
+    from qovr_core.cli import SIGNALLED
 
     if arguments.source is not None:
         _check_call(arguments.source)
@@ -76,7 +96,7 @@ def _edit(arguments: argparse.Namespace) -> int:
     ends, codes = EndSignals(application), []
 
     def end(number: int) -> None:
-        codes.append(cli.SIGNALLED + number)
+        codes.append(SIGNALLED + number)
         window.end()
         application.exit()
 
@@ -94,6 +114,8 @@ def _check_call(source: str) -> None:
     ------
     SourceError : the word names no file, and nothing that could be one
     """
+    from qovr_core.files.sources import PRESET_PREFIX, read_source, source_suffixes
+
     is_meant = source.startswith(PRESET_PREFIX) or Path(source).suffix.lower() in source_suffixes()
     if not is_meant and not os.path.lexists(source):
         read_source(source)

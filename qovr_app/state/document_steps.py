@@ -101,6 +101,10 @@ def redone(state: EditorState, _intent: intents.Redone) -> EditorState:
     return _arrived(state, state.history.redone())
 
 
+def went_to(state: EditorState, intent: intents.WentTo) -> EditorState:
+    return _arrived(state, state.history.gone_to(intent.index))
+
+
 def live_switched(state: EditorState, intent: intents.LiveSwitched) -> EditorState:
     state = replace(state, is_live=intent.is_live)
     if not intent.is_live:

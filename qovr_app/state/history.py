@@ -109,11 +109,15 @@ class History:
 
     def undone(self) -> History:
         """Return the history one step back."""
-        return replace(self, index=max(self.index - 1, 0))
+        return self.gone_to(self.index - 1)
 
     def redone(self) -> History:
         """Return the history one step forward."""
-        return replace(self, index=min(self.index + 1, len(self.steps)))
+        return self.gone_to(self.index + 1)
+
+    def gone_to(self, index: int) -> History:
+        """Return the history with so many steps done; the nearest there can be."""
+        return replace(self, index=min(max(index, 0), len(self.steps)))
 
     def marked_saved(self, serial: int | None) -> History:
         """Return the history with the document of a serial as the one in the file; None where none is."""

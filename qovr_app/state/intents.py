@@ -1,6 +1,7 @@
 """What the user wants, as values: every intent makes the next state in ``next_state``, or is refused there.
 
-Here are those of the document; ``looking_intents`` are those of what is looked at.
+Here are those of the document; ``point_intents`` are those of the selected control points,
+``looking_intents`` those of what is looked at.
 
 A ``Request`` is an intent that needs the world outside - a file, a dialog, the clipboard. The shell answers it, and the
 answer comes back as an intent.
@@ -15,9 +16,6 @@ from pathlib import Path
 from qovr_core import Document
 from qovr_core.document import NetIndex
 from qovr_core.edits import Place, Zone
-from qovr_core.geometry.knots import Direction
-from qovr_core.net_edits import NetEdit
-from qovr_core.symmetry import Source
 
 Stamp = tuple[int, ...]
 """When a file was last written, in nanoseconds, its size, and its number in the file system: together they tell whether
@@ -95,36 +93,6 @@ class PointsMoved(Intent):
 
 
 @dataclass(frozen=True)
-class PointsNudged(Intent):
-    """Control points are moved by one step each.
-
-    Parameters
-    ----------
-    at : seconds of a clock that runs evenly; what follows within a second is the same undo step
-    """
-
-    indices: tuple[NetIndex, ...]
-    displacement: tuple[float, float, float]
-    at: float
-
-
-@dataclass(frozen=True)
-class PointsEdited(Intent):
-    """An edit brings control points to other places; ``indices`` begin with the one that was picked last."""
-
-    edit: NetEdit
-    indices: tuple[NetIndex, ...]
-
-
-@dataclass(frozen=True)
-class MadeSymmetric(Intent):
-    """Net and knots become their own mirror image, across rows or columns."""
-
-    across: Direction
-    source: Source
-
-
-@dataclass(frozen=True)
 class GestureEnded(Intent):
     """A drag has ended where it is."""
 
@@ -160,6 +128,13 @@ class Undone(Intent):
 @dataclass(frozen=True)
 class Redone(Intent):
     """One step forward."""
+
+
+@dataclass(frozen=True)
+class WentTo(Intent):
+    """So many steps of the history are done."""
+
+    index: int
 
 
 @dataclass(frozen=True)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from qovr_app.state import document_steps, intents, looking_intents, looking_steps, point_steps
+from qovr_app.state import document_steps, intents, looking_intents, looking_steps, point_intents, point_steps
 from qovr_app.state.editor_state import EditorState
 
 _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = {
@@ -17,15 +17,16 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.PendingSet: document_steps.pending_set,
     intents.ZoneRead: document_steps.zone_read,
     intents.PointsMoved: point_steps.points_moved,
-    intents.PointsNudged: point_steps.points_nudged,
-    intents.PointsEdited: point_steps.points_edited,
-    intents.MadeSymmetric: point_steps.made_symmetric,
+    point_intents.PointsNudged: point_steps.points_nudged,
+    point_intents.PointsEdited: point_steps.points_edited,
+    point_intents.MadeSymmetric: point_steps.made_symmetric,
     intents.GestureEnded: document_steps.gesture_ended,
     intents.GestureCancelled: document_steps.gesture_cancelled,
     intents.FormulationChosen: document_steps.formulation_chosen,
     intents.SamplesChosen: document_steps.samples_chosen,
     intents.Undone: document_steps.undone,
     intents.Redone: document_steps.redone,
+    intents.WentTo: document_steps.went_to,
     intents.Configured: document_steps.configured,
     intents.LiveSwitched: document_steps.live_switched,
     intents.CurvesLinked: lambda state, intent: replace(state, links_curves=intent.is_linked),

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from qovr_app.state import intents
+from qovr_app.state import intents, point_intents
 from qovr_app.state.document_steps import edited, with_document
 from qovr_app.state.editor_state import EditorState, Gesture
 from qovr_app.state.names import points_text
@@ -30,14 +30,14 @@ def points_moved(state: EditorState, intent: intents.PointsMoved) -> EditorState
     return replace(moved, gesture=_gesture(state, intent.gesture))
 
 
-def points_nudged(state: EditorState, intent: intents.PointsNudged) -> EditorState:
+def points_nudged(state: EditorState, intent: point_intents.PointsNudged) -> EditorState:
     """Move points by a step; steps that follow each other quickly become one."""
     displacements = _triples((intent.displacement,) * len(intent.indices))
     net = _moved(state.document, intent.indices, displacements, state.tools, is_soft=state.tools.soft)
     return _with_net(state, f"Move {points_text(intent.indices)}", net, intent, _burst(state, intent))
 
 
-def points_edited(state: EditorState, intent: intents.PointsEdited) -> EditorState:
+def points_edited(state: EditorState, intent: point_intents.PointsEdited) -> EditorState:
     """Bring points to where an edit has them; of the document even where edits wait, as by hand."""
     document, edit = state.document, intent.edit
     _check_indices(document, intent.indices)
@@ -48,7 +48,7 @@ def points_edited(state: EditorState, intent: intents.PointsEdited) -> EditorSta
     return _with_net(state, f"{edit.verb} {points_text(intent.indices)}", net, intent)
 
 
-def made_symmetric(state: EditorState, intent: intents.MadeSymmetric) -> EditorState:
+def made_symmetric(state: EditorState, intent: point_intents.MadeSymmetric) -> EditorState:
     across = "rows" if intent.across is Direction.ROWS else "columns"
     text = f"Make symmetric across {across}"
     return edited(state, text, lambda document: make_symmetric(document, intent.across, intent.source), intent)
@@ -97,7 +97,7 @@ def _triples(displacements: tuple[tuple[float, float, float], ...]) -> Array:
     return np.array(displacements, dtype=np.float64).reshape(-1, 3)
 
 
-def _burst(state: EditorState, intent: intents.PointsNudged) -> int:
+def _burst(state: EditorState, intent: point_intents.PointsNudged) -> int:
     """Return the gesture of a nudge: that of the nudge of the same points just before it, or one of its own.
 
     Its numbers are negative: those of drags are not.
@@ -105,7 +105,7 @@ def _burst(state: EditorState, intent: intents.PointsNudged) -> int:
     history = state.history
     last = history.steps[history.index - 1] if history.index else None
     before = last.intent if last is not None else None
-    if last is None or not isinstance(before, intents.PointsNudged) or before.indices != intent.indices:
+    if last is None or not isinstance(before, point_intents.PointsNudged) or before.indices != intent.indices:
         return -1 - history.last_serial
     is_soon = 0 <= intent.at - before.at <= NUDGE_SECONDS
     return last.gesture if is_soon else -1 - history.last_serial

@@ -45,6 +45,11 @@ class ReloadAsked(Request):
 
 
 @dataclass(frozen=True)
+class SaveCopyAsked(Request):
+    """Save to another file that is asked for, and stay with the document's own."""
+
+
+@dataclass(frozen=True)
 class ExportAsked(Request):
     """Ask for a format and a file, and write the configured surface."""
 
@@ -74,6 +79,11 @@ class CloseAsked(Request):
 
 
 @dataclass(frozen=True)
+class QuitAsked(Request):
+    """Close every window."""
+
+
+@dataclass(frozen=True)
 class RecoveryAnswered(Request):
     """Go on with what an earlier run left unsaved, or delete it."""
 
@@ -94,7 +104,9 @@ class CopyAsked(Request):
 
 @dataclass(frozen=True)
 class PasteAsked(Request):
-    """Paste the clipboard's block into the zone that has the keyboard."""
+    """Paste the clipboard's block into the zone that has the keyboard, or over the selected points."""
+
+    over_points: bool = False
 
 
 @dataclass(frozen=True)
@@ -127,6 +139,11 @@ class CameraMoved(Request):
 
 
 @dataclass(frozen=True)
+class ViewRestartAsked(Request):
+    """Begin again with the drawing of the view."""
+
+
+@dataclass(frozen=True)
 class RangeAsked(Request):
     """Ask for the ends of a fixed range of colours."""
 
@@ -146,3 +163,18 @@ class FocusAsked(Request):
 @dataclass(frozen=True)
 class HelpAsked(Request):
     """Show the help beside the work."""
+
+
+@dataclass(frozen=True)
+class PaletteAsked(Request):
+    """Show all commands, to be found by a few letters."""
+
+
+@dataclass(frozen=True)
+class KeysAsked(Request):
+    """Show which command has which key."""
+
+
+@dataclass(frozen=True)
+class AboutAsked(Request):
+    """Show the versions of the program and of what it is built on."""

@@ -19,6 +19,19 @@ def painting(device: QPaintDevice | QPagedPaintDevice) -> Iterator[QPainter]:
         painter.end()
 
 
+@contextmanager
+def dimmed(painter: QPainter, opacity: float) -> Iterator[None]:
+    """Draw with an opacity, and then as before.
+
+    The state is saved and restored for it: a PDF writer takes no notice of an opacity that changes alone, and would
+    give it to all that comes after in the same colour.
+    """
+    painter.save()
+    painter.setOpacity(opacity)
+    yield
+    painter.restore()
+
+
 def blank_image(size: tuple[float, float], ratio: float, reused: QImage | None = None) -> QImage:
     """Return a transparent image for logical pixels at a device pixel ratio; the reused one where it fits."""
     width, height = (max(1, round(side * ratio)) for side in size)

@@ -33,12 +33,15 @@ from qovr_core.files.progress import Progress
 class GlViewport(QOpenGLWidget):
     """Shows a picture with OpenGL.
 
-    ``painted`` tells that a frame has reached the window; ``failed`` that this widget cannot draw, with the
-    reason.
+    ``painted`` tells that a frame has reached the window; ``faulted`` that an error of the program kept one from it,
+    and ``failed`` that OpenGL does not work here, each with the reason; ``lost`` that the context has gone with all
+    that was in it, as after a reset of the graphics card.
     """
 
     painted = Signal()
+    faulted = Signal(str)
     failed = Signal(str)
+    lost = Signal()
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -49,6 +52,7 @@ class GlViewport(QOpenGLWidget):
         self._backdrop_key: object = None
         self._overlay_image = QImage()
         self._broken = False
+        self._faulty: Picture | None = None
         self._gl_things = (self._surface, self._backdrop, self._overlay)
         self.frameSwapped.connect(self.painted)
         self.destroyed.connect(partial(_release, self._gl_things))
@@ -79,7 +83,7 @@ class GlViewport(QOpenGLWidget):
         if self.isValid() and not self._broken:
             try:
                 return self._tiled(gl_figure.surface_tiles(picture, size, pixels), pixels, progress, in_gui)
-            except Exception as error:  # the figure is still made, by the painter
+            except api.FAILURES as error:  # the figure is still made, by the painter
                 failure = error
                 in_gui(lambda: self._fail(failure, "drawing a figure"))
         return painter_surface.surface_image(picture, size, pixels)
@@ -107,25 +111,47 @@ class GlViewport(QOpenGLWidget):
 
     def initializeGL(self) -> None:
         """Begin with a new context, which knows nothing of what an earlier one was given."""
-        self._backdrop_key = None
-        for thing in self._gl_things:
-            thing.forget()
+        self._forget()
+        self.context().aboutToBeDestroyed.connect(self._release)
 
     def paintGL(self) -> None:
         if self._broken:
             return
         try:
-            if self._picture is None:
-                red, green, blue = (channel / 255 for channel in theme_in_force().background)
-                api.clear(red, green, blue, 1.0)
+            if self._picture is None or self._picture is self._faulty:
+                self._clear()
             else:
                 self._paint_frame(self._picture)
-        except Exception as error:  # whatever a driver does, the view goes on without it
+        except api.FAILURES as error:  # whatever a driver does, the view goes on without it
             self._fail(error, "drawing")
+        except Exception as error:  # an exception must not escape into Qt's event loop
+            self._faulty = self._picture
+            self.faulted.emit(failures.report_fault(error))
+            self._clear()
+
+    def _clear(self) -> None:
+        red, green, blue = (channel / 255 for channel in theme_in_force().background)
+        api.clear(red, green, blue, 1.0)
+
+    def _release(self) -> None:
+        """Destroy what was made in the context that is about to go."""
+        self.makeCurrent()
+        for thing in self._gl_things:
+            thing.release()
+        self.doneCurrent()
+        self._forget()
+
+    def _forget(self) -> None:
+        self._backdrop_key = None
+        for thing in self._gl_things:
+            thing.forget()
 
     def _fail(self, error: Exception, doing: str) -> None:
         self._broken = True
-        self.failed.emit(failures.report(error, f"OpenGL failed while {doing}"))
+        if self.context() is None or not self.context().isValid():
+            self.lost.emit()
+        else:
+            self.failed.emit(failures.report(error, f"OpenGL failed while {doing}"))
 
     def _paint_frame(self, picture: Picture) -> None:
         size, ratio = self.logical_size, self.devicePixelRatioF()

@@ -19,13 +19,19 @@ from qovr_core.files.progress import Progress
 
 
 class PainterViewport(QWidget):
-    """Shows a picture with QPainter; ``painted`` tells that a frame has been drawn."""
+    """Shows a picture with QPainter.
+
+    ``painted`` tells that a frame has been drawn; ``faulted`` that an error of the program kept one from it, with the
+    reason.
+    """
 
     painted = Signal()
+    faulted = Signal(str)
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._picture: Picture | None = None
+        self._faulty: Picture | None = None
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
 
     @property
@@ -66,9 +72,12 @@ class PainterViewport(QWidget):
         # Drawn on an image first: there the overlay's lettering is placed on whole pixels, as with OpenGL.
         with painting(self) as painter:
             try:
-                painter.drawImage(0, 0, self.image())
+                if self._picture is not None and self._picture is self._faulty:
+                    painter.fillRect(self.rect(), QColor(*theme_in_force().background))
+                else:
+                    painter.drawImage(0, 0, self.image())
             except Exception as error:  # an exception must not escape into Qt's event loop
-                text = failures.report(error, "The view cannot be painted")
-                painter.fillRect(self.rect(), Qt.GlobalColor.darkGray)
-                painter.drawText(self.rect(), Qt.AlignmentFlag.AlignCenter, text)
+                self._faulty = self._picture
+                painter.fillRect(self.rect(), QColor(*theme_in_force().background))
+                self.faulted.emit(failures.report_fault(error))
         QTimer.singleShot(0, self, self.painted.emit)

@@ -37,6 +37,7 @@ class View3D(QWidget):
     """A surface with its control net, seen through one camera in one viewport or several.
 
     It holds what belongs to it alone: the camera, and where the mouse is. All else it is given by ``display``.
+    ``restart`` begins again with the drawing, and with OpenGL if it can be used by now.
 
     Signals
     -------
@@ -48,6 +49,7 @@ class View3D(QWidget):
     radius_turned : by how many notches the wheel went while points were dragged softly
     said : a sentence for the user
     drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
+    faulted : why the picture could not be drawn: an error of the program; the next picture is tried again
     fell_back : once, why OpenGL is not used
     frame_painted : a frame has reached the window
     """
@@ -60,6 +62,7 @@ class View3D(QWidget):
     said = Signal(str)
     drag_finished = Signal(int)
     drag_cancelled = Signal(int)
+    faulted = Signal(str)
     fell_back = Signal(str)
     frame_painted = Signal()
 
@@ -75,8 +78,10 @@ class View3D(QWidget):
         self._viewports = Viewports(self, self.picture)
         self._viewports.interactor_made.connect(self._listen)
         self._viewports.painted.connect(self.frame_painted)
+        self._viewports.faulted.connect(self.faulted)
         self._viewports.fell_back.connect(self.fell_back)
         self._viewports.arrange(self._shown.viewports)
+        self.restart = self._viewports.restart
 
     def minimumSizeHint(self) -> QSize:
         return QSize(320, 240)

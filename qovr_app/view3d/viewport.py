@@ -15,10 +15,14 @@ from qovr_core.files.progress import Progress
 
 
 class Viewport(Protocol):
-    """A widget that shows a picture; ``painted()`` is emitted when a frame has reached the window."""
+    """A widget that shows a picture; ``painted()`` is emitted when a frame has reached the window, ``faulted(reason)``
+    when an error of the program kept one from it."""
 
     @property
     def painted(self) -> SignalInstance: ...
+
+    @property
+    def faulted(self) -> SignalInstance: ...
 
     @property
     def widget(self) -> QWidget:

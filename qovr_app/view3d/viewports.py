@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtCore import QObject, QTimer, Signal
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
-from qovr_app.view3d.gl.support import gl_support
+from qovr_app.view3d.gl.support import forget_support, gl_support
 from qovr_app.view3d.interaction.interactor import Interactor
 from qovr_app.view3d.painter_viewport import PainterViewport
 from qovr_app.view3d.scene.hand import Hand
@@ -29,11 +29,13 @@ class Viewports(QObject):
     -------
     interactor_made : the Interactor of a new viewport, whose intents somebody has to take, and the viewport's number
     painted : a frame has reached the window
+    faulted : an error of the program kept a frame from being drawn, with the reason; the next picture tries again
     fell_back : once, why OpenGL is not used; the viewports are those of the painter by then
     """
 
     interactor_made = Signal(object, int)
     painted = Signal()
+    faulted = Signal(str)
     fell_back = Signal(str)
 
     def __init__(self, parent: QWidget, picture: Callable[[int], Picture | None]) -> None:
@@ -42,9 +44,8 @@ class Viewports(QObject):
         self._made: list[Viewport] = []
         self._interactors: list[Interactor] = []
         self._count = 0
-        self._uses_gl = gl_support().usable
-        if not self._uses_gl:
-            QTimer.singleShot(0, self, lambda: self.fell_back.emit(gl_support().reason))
+        self._uses_gl = False
+        self._ask_for_opengl()
         self._layout = QHBoxLayout(parent)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(_GAP)
@@ -74,6 +75,12 @@ class Viewports(QObject):
             viewport.widget.setVisible(k < count)
         self._layout.activate()
 
+    def restart(self) -> None:
+        """Begin again with new viewports, and with OpenGL if it can be used by now."""
+        forget_support()
+        self._ask_for_opengl()
+        self._make_anew()
+
     def lay_out(self) -> None:
         """Give the viewports their places in the widget now."""
         self._layout.setGeometry(self._parent.rect())
@@ -95,6 +102,7 @@ class Viewports(QObject):
         viewport = self._make_gl() if self._uses_gl else PainterViewport(self._parent)
         viewport.widget.setAccessibleName("Surface")
         viewport.painted.connect(self.painted)
+        viewport.faulted.connect(self.faulted)
         interactor = Interactor(viewport, lambda: self._picture(number))
         self._interactors.append(interactor)
         self.interactor_made.emit(interactor, number)
@@ -105,6 +113,7 @@ class Viewports(QObject):
 
         viewport = GlViewport(self._parent)
         viewport.failed.connect(self._on_gl_failed)
+        viewport.lost.connect(lambda: QTimer.singleShot(0, self, self.restart))
         return viewport
 
     def _on_gl_failed(self, reason: str) -> None:
@@ -114,6 +123,11 @@ class Viewports(QObject):
             QTimer.singleShot(0, self, lambda: self._fall_back(reason))
 
     def _fall_back(self, reason: str) -> None:
+        self._make_anew()
+        self.fell_back.emit(reason)
+
+    def _make_anew(self) -> None:
+        """Put new viewports into the places of those there are."""
         for interactor in self._interactors:
             interactor.dragger.finish()
         self._interactors = []
@@ -124,4 +138,9 @@ class Viewports(QObject):
         self._made = []
         self.arrange(self._count)
         self.show()
-        self.fell_back.emit(reason)
+
+    def _ask_for_opengl(self) -> None:
+        """Use OpenGL from now on, or say why not."""
+        self._uses_gl = gl_support().usable
+        if not self._uses_gl:
+            QTimer.singleShot(0, self, lambda: self.fell_back.emit(gl_support().reason))

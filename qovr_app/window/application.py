@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import os
-import sys
 
 from PySide6.QtWidgets import QApplication
 
 from qovr_app.style.palette import follow_system
 from qovr_app.view3d.gl.support import set_default_format
-from qovr_core import QovrError
+from qovr_app.window.display import check_display
 
 NAME = "QOVR Studio"
 
@@ -24,9 +23,9 @@ def make_application(arguments: list[str], *, scale: float | None = None) -> QAp
 
     Raises
     ------
-    QovrError : there is no display
+    QovrError : no window can be had
     """
-    _check_display()
+    check_display()
     if scale is not None:
         os.environ["QT_SCALE_FACTOR"] = f"{scale:g}"
     set_default_format()
@@ -36,15 +35,3 @@ def make_application(arguments: list[str], *, scale: float | None = None) -> QAp
     application.setStyle("Fusion")
     follow_system()
     return application
-
-
-def _check_display() -> None:
-    """Refuse in words where Qt would abort the process."""
-    if sys.platform != "linux" or os.environ.get("QT_QPA_PLATFORM", "").split(":")[0] in (
-        "offscreen",
-        "minimal",
-        "vnc",
-    ):
-        return
-    if not (os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")):
-        raise QovrError("there is no display; the window needs one, a virtual one serves (xvfb-run qovr ...)")

@@ -51,6 +51,7 @@ class DocumentShell:
             requests.DocumentAsked: self._open_document,
             requests.ReloadAsked: self._reload,
             requests.SaveAsked: self._save,
+            requests.SaveCopyAsked: self._save_copy,
             requests.RecentCleared: lambda _asked: folder.clear_recent(),
         }
 
@@ -124,6 +125,19 @@ class DocumentShell:
         elif not self._may_write_over(path):
             return False
         return path is not None and self._save_to(path)
+
+    def _save_copy(self, _request: requests.SaveCopyAsked) -> None:
+        """Write the document, with what is just being typed, to a file that is asked for, and stay with its own."""
+        self._commit_typed()
+        path = self._asked_path()
+        if path is None:
+            return
+        try:
+            patiently(self._window, f"Saving {path.name}…", written_document, self._state.document, path)
+        except QovrError as error:
+            self._refuse(error)
+        else:
+            self._say(f"Saved a copy as {path.name}.")
 
     def may_leave(self) -> bool:
         """Ask about what is not saved, typed numbers included; return whether the document may go."""

@@ -6,13 +6,12 @@ import math
 
 from PySide6.QtWidgets import QDialog, QWidget
 
-from qovr_app.dialogs.help_dialog import HelpDialog
 from qovr_app.dialogs.range_dialog import RangeDialog
 from qovr_app.dialogs.transform_dialog import TransformDialog
 from qovr_app.state import requests
-from qovr_app.state.intents import PointsEdited
 from qovr_app.state.looking_intents import RangeFixed
 from qovr_app.state.names import points_text
+from qovr_app.state.point_intents import PointsEdited
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
@@ -24,18 +23,17 @@ class LayoutShell:
 
     def __init__(self, store: Store, layout: Layout, window: QWidget) -> None:
         self._store, self._layout, self._window = store, layout, window
-        self._help: HelpDialog | None = None
-        clipboard = Clipboard(layout, layout.view_frame.probe_text, store.dispatch)
+        clipboard = Clipboard(layout, store)
         self.answers: Answers = {
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,
+            requests.ViewRestartAsked: layout.view_frame.restart,
             requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
             requests.TransformAsked: self._ask_transform,
             requests.ZoneButtonPressed: self._press_zone_button,
             requests.FocusAsked: lambda asked: layout.focus_part(asked.part),
-            requests.HelpAsked: self._show_help,
             requests.CloseAsked: lambda _asked: window.close(),
         }
 
@@ -64,9 +62,3 @@ class LayoutShell:
             zone.set_values()
         else:
             zone.get_values()
-
-    def _show_help(self, _request: requests.HelpAsked) -> None:
-        if self._help is None:
-            self._help = HelpDialog(self._window)
-        self._help.show()
-        self._help.raise_()

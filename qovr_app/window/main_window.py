@@ -23,6 +23,8 @@ from qovr_app.window.document_shell import DocumentShell
 from qovr_app.window.drops import dropped_sources, open_each, take
 from qovr_app.window.export_shell import ExportShell
 from qovr_app.window.folder import Folder
+from qovr_app.window.help_shell import HelpShell
+from qovr_app.window.history_menu import HistoryMenu
 from qovr_app.window.layout import Layout
 from qovr_app.window.layout_shell import LayoutShell
 from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
@@ -80,7 +82,13 @@ class MainWindow(QMainWindow):
         self._offer = RecoveryOffer(self._documents, self.store, self.worker, self)
         self._outside, self._watch = OutsideOffer(self.store, self), FileWatch(self.store, self)
         parts = LayoutShell(self.store, self.parts, self)
-        shell = Shell(parts.answers, self._documents.answers, exports.answers, self._offer.answers)
+        shell = Shell(
+            parts.answers,
+            HelpShell(lambda: self._actions, self).answers,
+            self._documents.answers,
+            exports.answers,
+            self._offer.answers,
+        )
         self.store.answer_with(shell.perform)
         self._actions = Actions(command_table(), self.store, self)
         self._facts = QLabel(self)
@@ -122,9 +130,11 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.parts, 1)
         self.setCentralWidget(middle)
         menus = fill_menu_bar(self.menuBar(), self._actions)
-        presets = menus["File/Presets of the paper"].menuAction()
+        presets = menus["File/New from preset"].menuAction()
         recent = RecentMenu(lambda: folder.recent, self.store.dispatch, self)
         menus["File"].insertMenu(presets, recent)
+        history = HistoryMenu(lambda: self.store.state.history, self.store.dispatch, self)
+        menus["Edit"].insertMenu(self._actions["copy"], history)
         self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)
 

@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.requests import CameraAsked, CameraStep, FocusAsked
+from qovr_app.state.requests import CameraAsked, CameraStep, FocusAsked, ViewRestartAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
@@ -103,9 +103,15 @@ class ViewFrame(QWidget):
         else:
             self.view.camera_motion.recall(forward=step is CameraStep.FORWARD)
 
-    def save_figure(self, path: Path, options: FigureOptions) -> None:
-        """Write what is seen; see ``View3D.save_figure``."""
-        self.view.save_figure(path, options)
+    def restart(self, _request: ViewRestartAsked) -> None:
+        """Begin again with the drawing, and with OpenGL if it can be used by now."""
+        self.view.restart()
+        if self.view.uses_opengl:
+            self._store.dispatch(looking_intents.MessageShown("The view has begun again, with OpenGL"))
+
+    def image(self) -> QImage:
+        """Return what is seen, at the device's resolution."""
+        return self.view.image()
 
     def figure_writer(self) -> Callable[[Path, FigureOptions, Progress], None]:
         """Return what writes as a figure what is seen now; for a job in a thread of this process."""
@@ -159,6 +165,7 @@ class ViewFrame(QWidget):
         view.point_opened.connect(self._open_fields)
         view.menu_asked.connect(self.menu_asked)
         view.said.connect(lambda text: dispatch(looking_intents.MessageShown(text)))
+        view.faulted.connect(lambda reason: dispatch(looking_intents.MessageShown(reason, is_refusal=True)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
 
     def _open_fields(self, index: NetIndex) -> None:

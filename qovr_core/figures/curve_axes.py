@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.figures.style import halo
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, OneCurve
 from qovr_core.laboratory.planes import Plane
@@ -91,16 +92,13 @@ def write_legend(figure: Any, handles: Sequence[Any], labels: Sequence[str], **s
 
 def add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) -> None:
     """Write the names of parabolas and points where they cover least."""
-    from matplotlib.patheffects import withStroke
-
     centre = {"ha": "center", "va": "center", "fontsize": FONT, "zorder": 6, "linespacing": 1.25}
-    halo = [withStroke(linewidth=2, foreground="white")]
     to_pixels = axes.transData.transform
     places = named_places(curve, plane, to_pixels)
     texts = [*names, *(f"$Q_{p}({PARABOLA_LETTERS[p]})$" for p in range(3))]
     colours = [INK] * 5 + list(PARTS)
     labels = [
-        axes.annotate(text, place, (0, 0), textcoords="offset points", path_effects=halo, color=colour, **centre)
+        axes.annotate(text, place, (0, 0), textcoords="offset points", path_effects=halo(2), color=colour, **centre)
         for text, place, colour in zip(texts, places, colours, strict=True)
     ]
     sizes = np.array([label.get_window_extent().size for label in labels])

@@ -25,6 +25,7 @@ from qovr_core.figures.curve_axes import (
     style_axes,
     write_legend,
 )
+from qovr_core.figures.style import house_style
 from qovr_core.geometry.knots import KNOT_NAMES
 from qovr_core.laboratory.labels import label_places
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
@@ -56,6 +57,7 @@ class Sheet:
 _PAPER, _FOUR_CURVES = Sheet(), Sheet(size=(6.4, 4.8))
 
 
+@house_style()
 def draw_parabolas(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     """Return Figure 1a: the three parabolas, each by itself, and the segments of them that are blended."""
     figure, axes, plane = _drawing(curve, sheet)
@@ -69,6 +71,7 @@ def draw_parabolas(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     return figure
 
 
+@house_style()
 def draw_knots(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     """Return Figure 1b: the blended curve, the places of the internal knots, and the auxiliary segments."""
     figure, axes, plane = _drawing(curve, sheet)
@@ -79,6 +82,7 @@ def draw_knots(curve: OneCurve, sheet: Sheet = _PAPER) -> Any:
     return figure
 
 
+@house_style()
 def draw_sensitivity(curve: OneCurve, sheet: Sheet = _FOUR_CURVES) -> Any:
     """Return Figure 1c: the curve with several values of each of its four knots, the others as they are."""
     from matplotlib import colormaps
@@ -103,6 +107,7 @@ def draw_sensitivity(curve: OneCurve, sheet: Sheet = _FOUR_CURVES) -> Any:
     return figure
 
 
+@house_style()
 def draw_curve(curve: OneCurve, sheet: Sheet) -> Any:
     """Return one curve with all its parts: the curve in a plane, its weights, and its transformations."""
     from matplotlib.figure import Figure

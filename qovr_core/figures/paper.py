@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import nullcontext
+from datetime import UTC
 from pathlib import Path
 from typing import Any
 
 from qovr_core.errors import SourceError
 from qovr_core.evaluation import Evaluation
 from qovr_core.figures.curves import draw_knots, draw_parabolas, draw_sensitivity
+from qovr_core.figures.style import house_style, text_kept_as_text
 from qovr_core.figures.surfaces import draw_figure, draw_network
 from qovr_core.files.atomic import replacing
+from qovr_core.files.provenance import timestamp
 from qovr_core.laboratory.one_curve import OneCurve
 from qovr_core.presets import curve_case, figure_cases, network_case
 
@@ -58,19 +62,31 @@ def save_figure(name: str, path: Path, *, dpi: int = 300) -> None:
     ------
     FileError : the file cannot be written
     """
-    write_figure(_draw(name), path, dpi=dpi)
+    title = f"QOVR surfaces, Figure {name.removeprefix('fig')}"
+    write_figure(_draw(name), path, dpi=dpi, title=title)
 
 
-def write_figure(figure: Any, path: Path, *, dpi: float, transparent: bool = False) -> None:
+@house_style()
+def write_figure(
+    figure: Any, path: Path, *, dpi: float, transparent: bool = False, title: str = "QOVR surface"
+) -> None:
     """Write a matplotlib Figure as PNG, SVG or PDF, by the path's suffix, whole or not at all.
+
+    Texts of SVG and PDF stay text, in TrueType, and both carry the title.
 
     Raises
     ------
     FileError : the file cannot be written
     """
     kind = path.suffix.lower().removeprefix(".")
-    with replacing(path) as (draft,):
-        figure.savefig(draft, format=kind, dpi=dpi, transparent=transparent)
+    time = timestamp()
+    told: dict[str, dict[str, Any]] = {
+        "svg": {"Title": title, "Date": time.isoformat() if time else None},
+        "pdf": {"Title": title, "CreationDate": time.replace(tzinfo=UTC) if time else None},
+    }
+    keeping = text_kept_as_text(figure) if kind in told else nullcontext()
+    with replacing(path) as (draft,), keeping:
+        figure.savefig(draft, format=kind, dpi=dpi, transparent=transparent, metadata=told.get(kind))
 
 
 def _draw(name: str) -> Any:

@@ -10,6 +10,7 @@ from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.construction import curve_network
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
+from qovr_core.figures.style import halo, house_style
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory.one_curve import SAMPLES
@@ -30,6 +31,7 @@ _EDGE_POINTS = 0.15
 """Width of a facet's edge: at 100 facets across 90 mm it must stay finer than the facet."""
 
 
+@house_style()
 def draw_figure(evaluation: Evaluation, *, layer: str, camera: str) -> Any:
     """Return a matplotlib Figure that shows a surface as the paper does.
 
@@ -51,6 +53,7 @@ def draw_figure(evaluation: Evaluation, *, layer: str, camera: str) -> Any:
     return figure
 
 
+@house_style()
 def draw_network(document: Document, size: tuple[float, float] = _SIZE_INCHES) -> Any:
     """Return a matplotlib Figure of the ten curves C_i(u) and K_j(v) over their control net, as Figure 2.
 
@@ -59,7 +62,6 @@ def draw_network(document: Document, size: tuple[float, float] = _SIZE_INCHES) -
     size : width and height in inches
     """
     from matplotlib.figure import Figure
-    from matplotlib.patheffects import withStroke
 
     figure = Figure(figsize=size, layout="constrained")
     axes: Any = figure.add_subplot(projection="3d", proj_type="ortho", computed_zorder=False)
@@ -76,7 +78,7 @@ def draw_network(document: Document, size: tuple[float, float] = _SIZE_INCHES) -
             points = basis @ curve
             axes.plot(*points.T, color=color, linewidth=1.6, zorder=2)
             name = axes.text(*points[_NAMED_SAMPLE[letter]], f" ${letter}_{k}({parameter})$", color=color, fontsize=8)
-            name.set(zorder=5, path_effects=[withStroke(linewidth=2, foreground="white")])
+            name.set(zorder=5, path_effects=halo(2))
     _draw_control_points(axes, net)
     _label_axes(axes, from_above=False)
     return figure
@@ -105,17 +107,15 @@ def _draw_facets(axes: Any, points: np.ndarray) -> Any:
 
 
 def _draw_control_points(axes: Any, net: np.ndarray) -> None:
-    from matplotlib.patheffects import withStroke
 
     # Beside a raw surface the net is a corner of the picture: there everything shrinks with it.
     shrink = 1.0 if np.ptp(net[..., 0]) > 0.25 * np.ptp(axes.get_xlim()) else 0.5
-    halo = [withStroke(linewidth=1.6 * shrink, foreground="white")]
     x, y, z = net.reshape(-1, 3).T
     size, rim = 26 * shrink**2, 0.5 * shrink
     axes.scatter(x, y, z, s=size, c=_POINT_COLOR, edgecolors="white", linewidths=rim, depthshade=False, zorder=3)
     for i, j in np.ndindex(net.shape[:2]):
         label = axes.text(*net[i, j], f" P{i},{j}", fontsize=7 * shrink, va="bottom", zorder=4)
-        label.set_path_effects(halo)
+        label.set_path_effects(halo(1.6 * shrink))
 
 
 def _label_axes(axes: Any, *, from_above: bool) -> None:

@@ -63,7 +63,7 @@ def control_points(patch: Patch) -> Array:
 def has_area(patch: Patch) -> bool:
     """Return whether the tangents are independent anywhere on a coarse grid."""
     t = np.linspace(0.0, 1.0, _AREA_SAMPLES)
-    su, sv = patch.derivative(t, t, 1, 0), patch.derivative(t, t, 0, 1)
+    su, sv = (_of_unit_size(patch.derivative(t, t, *order)) for order in ((1, 0), (0, 1)))
     lengths = np.linalg.norm(np.cross(su, sv), axis=-1)
     bound = np.linalg.norm(su, axis=-1).max() * np.linalg.norm(sv, axis=-1).max()
     return bool(lengths.max() > _NO_AREA * bound)
@@ -85,7 +85,7 @@ def chosen_patch(evaluation: Evaluation, options: ExportOptions, path: Path) -> 
 def diagonal(points: Array) -> float:
     """Return the diagonal of the box of points (..., 3)."""
     flat = points.reshape(-1, 3)
-    return float(np.linalg.norm(flat.max(axis=0) - flat.min(axis=0)))
+    return math.hypot(*(flat.max(axis=0) - flat.min(axis=0)))  # unlike a norm, it neither overflows nor vanishes
 
 
 def uncertainty(points: Array) -> float:
@@ -111,6 +111,12 @@ def outline(points: Array, within: float) -> Outline:
         closed_u=coincide(edges[Edge.U0], edges[Edge.U1]),
         closed_v=coincide(edges[Edge.V0], edges[Edge.V1]),
     )
+
+
+def _of_unit_size(vectors: Array) -> Array:
+    """Return vectors whose largest component is 1, so that their products neither overflow nor vanish."""
+    largest = np.abs(vectors).max()
+    return vectors / largest if largest > 0 else vectors
 
 
 def _along(matrix: Array, points: Array, axis: int) -> Array:

@@ -14,7 +14,7 @@ from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.conventions import Unit, Up
 from qovr_core.files.format import Format
-from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh, float32_rounding
+from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh, check_float32, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin
@@ -37,6 +37,7 @@ def write_glb(evaluation: Evaluation, path: Path, progress: Progress, options: E
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
     mesh = build_mesh(evaluation, options, path, progress, float32_rounding(evaluation, options, _REACH))
+    check_float32(mesh.points, options.unit.metres, path)
     centre = (mesh.points.min(axis=0) + mesh.points.max(axis=0)) / 2
     tree = _tree(mesh, centre, evaluation, options)
     text = json.dumps(tree, separators=(",", ":")).encode("ascii")

@@ -16,7 +16,7 @@ from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, origin, timestamp
+from qovr_core.files.provenance import PROGRAM, origin, timestamp, timestamp_insisted_on
 from qovr_core.files.qovr_document import document_to_json
 
 ENTITY = 128
@@ -79,7 +79,8 @@ def _start(evaluation: Evaluation, options: ExportOptions) -> list[str]:
 
 
 def _global_fields(points: Array, path: Path, unit: Unit) -> list[str]:
-    made = hollerith(timestamp().strftime("%Y%m%d.%H%M%S"))
+    made = hollerith(f"{timestamp_insisted_on():%Y%m%d.%H%M%S}")
+    changed = made if timestamp() else ""
     names = [hollerith(text) for text in (path.stem, path.name, PROGRAM, PROGRAM)]
     precision = ["32", "38", "6", "308", "15"]  # bits of an integer, then exponents and digits of both reals
     flag, name = UNITS[unit]
@@ -87,7 +88,7 @@ def _global_fields(points: Array, path: Path, unit: Unit) -> list[str]:
     return [
         *("1H,", "1H;", *names, *precision, hollerith(path.stem)),
         *("1.0", str(flag), hollerith(name), "1", "0.0", made, real(bspline.uncertainty(points)), largest),
-        *("", "", str(IGES_5_3), "0", made),
+        *("", "", str(IGES_5_3), "0", changed),
     ]
 
 

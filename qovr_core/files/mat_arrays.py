@@ -13,7 +13,11 @@ from qovr_core.files.mat_read import read_arrays
 from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
+from qovr_core.files.provenance import PROGRAM, timestamp
 from qovr_core.files.reading import reading
+
+_TEXT_BYTES = 116
+"""A header begins with so much text for people; version and byte order follow."""
 
 
 def write_mat(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
@@ -30,6 +34,15 @@ def write_mat(evaluation: Evaluation, path: Path, progress: Progress, _options: 
         for done, (name, array) in enumerate(arrays.items(), 1):
             savemat(file, {name: array}, oned_as="column")
             progress(done / len(arrays))
+        file.seek(0)
+        file.write(_header())
+
+
+def _header() -> bytes:
+    """Return the header's text, which tells neither the system nor, unless it is given, the time."""
+    made = timestamp()
+    text = f"MATLAB 5.0 MAT-file, written by {PROGRAM}" + (f", created on {made.isoformat()}" if made else "")
+    return text.encode("ascii").ljust(_TEXT_BYTES)
 
 
 def read_mat(path: Path) -> Document:

@@ -32,6 +32,12 @@ FLOAT32_ROUNDING = 2.0**-24 * np.sqrt(3.0)
 _WELDED = 1e-12
 """Edges closer than this part of the surface's size are the same points, moved by rounding."""
 
+_NO_AREA = 2e-15
+"""Twice a triangle's area is rounding below this part of the surface's size times how far its points reach."""
+
+_FLOAT32_SIZES = (1e-30, 1e38)
+"""Between these a surface's coordinates stay normal 32-bit numbers of full precision."""
+
 _SAME_NORMAL = 1e-6
 """Normals closer than this are shared where vertices are; those of a crease differ by far more."""
 
@@ -88,6 +94,7 @@ def build_mesh(
         measured = tessellation.deviation(patch, points) + rounding
     normals = _normals(patch, u, v, progress)
     mesh = _welded(patch, points, normals, measured)
+    _check_area(patch, mesh, (len(u), len(v)), path)
     progress(MESHED)
     return mesh
 
@@ -103,6 +110,18 @@ def float32_rounding(evaluation: Evaluation, options: ExportOptions, reach: floa
     return float(FLOAT32_ROUNDING) * reach * bspline.diagonal(coefficients)
 
 
+def check_float32(points: Array, metres: float, path: Path) -> None:
+    """Refuse points (k, 3) that 32-bit numbers cannot hold once they are scaled.
+
+    Raises
+    ------
+    FileError : the mesh is too large or too small
+    """
+    size, (least, most) = bspline.diagonal(points) * metres, _FLOAT32_SIZES
+    if not least <= size <= most:
+        raise FileError(f"{path}: the mesh is {size:.3g} across; expected {least:g} to {most:g} for 32-bit coordinates")
+
+
 def _fine_grid(patch: Patch, tolerance: float, rounding: float, path: Path) -> tuple[Array, Array]:
     if tolerance <= 2 * rounding:
         raise FileError(
@@ -113,6 +132,18 @@ def _fine_grid(patch: Patch, tolerance: float, rounding: float, path: Path) -> t
     except EvaluationError as error:
         raise FileError(f"{path}: {error}") from error
     return parameters(n), parameters(m)
+
+
+def _check_area(patch: Patch, mesh: Mesh, samples: tuple[int, int], path: Path) -> None:
+    """Refuse triangles none of which has an area beyond the rounding of its corners."""
+    size = bspline.diagonal(patch.coefficients)
+    reach = max(1.0, float(np.abs(mesh.points).max(initial=0.0)) / size)
+    for part in blocks(len(mesh.faces)):
+        a, b, c = np.moveaxis(mesh.points[mesh.faces[part]], 1, 0)
+        if np.linalg.norm(np.cross((b - a) / size, (c - a) / size), axis=-1).max() > _NO_AREA * reach:
+            return
+    n, m = samples
+    raise FileError(f"{path}: at {n} x {m} samples the mesh has no area; expected more samples, or a tolerance")
 
 
 def _normals(patch: Patch, u: Array, v: Array, progress: Progress) -> Array:

@@ -19,7 +19,7 @@ from qovr_core.files.atomic import replacing
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM
+from qovr_core.files.provenance import NO_DATE, PROGRAM
 from qovr_core.files.reading import reading
 from qovr_core.geometry.knots import knot_array
 
@@ -53,7 +53,8 @@ def write_npz(evaluation: Evaluation, path: Path, progress: Progress, _options: 
     arrays = surface_arrays(evaluation)
     with replacing(path) as (draft,), zipfile.ZipFile(draft, "w") as archive:
         for done, (name, array) in enumerate(arrays.items(), 1):
-            with archive.open(f"{name}.npy", "w", force_zip64=True) as member:
+            entry = zipfile.ZipInfo(f"{name}.npy", NO_DATE.timetuple()[:6])
+            with archive.open(entry, "w", force_zip64=True) as member:
                 np.lib.format.write_array(member, np.asanyarray(array), allow_pickle=False)
             progress(done / len(arrays))
 

@@ -4,27 +4,42 @@ from __future__ import annotations
 
 import base64
 import mmap
+import struct
+import zlib
+from dataclasses import replace
+from datetime import datetime
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
+from uuid import UUID, uuid5
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
-from qovr_core.errors import DocumentError, FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
-from qovr_core.files.atomic import replacing
+from qovr_core.files.atomic import LOGGER, replacing
 from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM, origin
+from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
+from qovr_core.files.reading import reading
+from qovr_core.files.rhino_points import moved_points
 
 DOCUMENT_KEY = "qovr.document"
 
 _MAGIC = b"3D Geometry File Format "
 _KEY_IN_FILE = f"{DOCUMENT_KEY}\0".encode("utf-16-le")
 """openNURBS writes a string as a count of its 16-bit characters, then these, the last one a zero."""
+
+_HISTORY_BYTES = 81
+_HISTORY = struct.pack("<Iq", 0x20008021, _HISTORY_BYTES)
+"""How the record of a revision history begins whose names are empty: its code and its length."""
+_TIMES = (5, 41)
+"""Where in it the times stand, of its making and of its last change, each eight 32-bit numbers; zeros are no time."""
+
+_IDS = UUID("5d1a6bfe-6f0c-4e0f-9a53-6d0f1f4e7c11")
+"""Of which the ids of layers and objects are made, with their names and the document: openNURBS takes any at random."""
 
 SURFACE_LAYER, NET_LAYER, POINTS_LAYER = "Surface", "Control net", "Control points"
 
@@ -38,28 +53,56 @@ def write_3dm(evaluation: Evaluation, path: Path, progress: Progress, options: E
     """
     patch = bspline.chosen_patch(evaluation, options, path)
     progress(0.0)
-    content = base64.b64decode(_model(evaluation, bspline.control_points(patch), options).Encode())
+    content = _dated(base64.b64decode(_model(evaluation, bspline.control_points(patch), options).Encode()))
     progress(0.5)
     with replacing(path) as (draft,):
         draft.write_bytes(content)
         progress(1.0)
 
 
+def _dated(content: bytes) -> bytes:
+    """Return a file with both times of its revision history set to the one that it is to tell, or to none.
+
+    openNURBS writes the present time there and gives no way to set another.
+    """
+    start = content.index(_HISTORY) + len(_HISTORY)
+    history = bytearray(content[start : start + _HISTORY_BYTES])
+    made = timestamp()
+    for place in _TIMES:
+        struct.pack_into("<8i", history, place, *(_calendar(made) if made else (0,) * 8))
+    struct.pack_into("<I", history, len(history) - 4, zlib.crc32(history[:-4]))
+    return content[:start] + bytes(history) + content[start + len(history) :]
+
+
+def _calendar(time: datetime) -> tuple[int, ...]:
+    """Return a time as C has it: months count from 0, years from 1900, days of the week from Sunday."""
+    year, month, day, hour, minute, second, weekday, yearday, _ = time.timetuple()
+    return second, minute, hour, day, month - 1, year - 1900, (weekday + 1) % 7, yearday - 1
+
+
 def read_3dm(path: Path) -> Document:
-    """Return the document that this program put into a ``.3dm`` file; geometry changed since is not looked at.
+    """Return the document that this program put into a ``.3dm`` file, its points as they stand in the file now.
+
+    Where another program has moved the named points, these count, which is told; the rest of the geometry is not
+    looked at.
 
     Raises
     ------
     FileError : the file cannot be read, is no Rhino file, or holds no valid document
     """
-    try:
-        with path.open("rb") as file:
-            text = _document_text(file)
-        return document_from_json(text)
-    except OSError as error:
-        raise FileError(f"{path}: cannot be read: {error.strerror or error}") from error
-    except (DocumentError, ValueError) as error:
-        raise FileError(f"{path}: {error}") from error
+    with reading(path) as file:
+        if file.read(len(_MAGIC)) != _MAGIC:
+            raise ValueError("is no Rhino file (.3dm)")
+        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
+            document = document_from_json(_document_text(content))
+            net = moved_points(content, document.control_points)
+        moved = int((net != document.control_points).any(axis=-1).sum())
+        if not moved:
+            return document
+        document = replace(document, control_points=net)
+    points = "1 control point was" if moved == 1 else f"{moved} control points were"
+    LOGGER.warning("%s: %s moved after this program wrote the file; they count as they stand there now", path, points)
+    return document
 
 
 RHINO = Format(
@@ -75,34 +118,34 @@ RHINO = Format(
 )
 
 
-def _document_text(file: BinaryIO) -> str:
+def _document_text(content: mmap.mmap) -> str:
     """Return the document's user text, found by its key: openNURBS goes astray for minutes in damaged files."""
-    if file.read(len(_MAGIC)) != _MAGIC:
-        raise ValueError("is no Rhino file (.3dm)")
-    with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-        start = content.find(_KEY_IN_FILE)
-        if start < 0:
-            raise ValueError(f"has no user text '{DOCUMENT_KEY}'; expected a file that this program exported")
-        start += len(_KEY_IN_FILE)
-        length = 2 * int.from_bytes(content[start : start + 4], "little")
-        if not 0 < length <= 2 * LARGEST_FILE:
-            raise ValueError(f"its user text '{DOCUMENT_KEY}' is {length} bytes long; expected a document")
-        return content[start + 4 : start + 4 + length].decode("utf-16-le").rstrip("\0")
+    start = content.find(_KEY_IN_FILE)
+    if start < 0:
+        raise ValueError(f"has no user text '{DOCUMENT_KEY}'; expected a file that this program exported")
+    start += len(_KEY_IN_FILE)
+    length = 2 * int.from_bytes(content[start : start + 4], "little")
+    if not 0 < length <= 2 * LARGEST_FILE:
+        raise ValueError(f"its user text '{DOCUMENT_KEY}' is {length} bytes long; expected a document")
+    return content[start + 4 : start + 4 + length].decode("utf-16-le").rstrip("\0")
 
 
 def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any:
     import rhino3dm
 
     document = evaluation.document
+    text = document_to_json(document)
     model = rhino3dm.File3dm()
     model.ApplicationName = PROGRAM
     model.Settings.ModelUnitSystem = getattr(rhino3dm.UnitSystem, _UNIT_SYSTEMS[options.unit])
     model.Settings.ModelAbsoluteTolerance = bspline.uncertainty(points)
     layers = {name: model.Layers.AddLayer(name, colour) for name, colour in _LAYERS.items()}
+    for name, index in layers.items():
+        model.Layers[index].Id = uuid5(_IDS, f"{name}{text}")
 
     def named(name: str, layer: str) -> Any:
         attributes = rhino3dm.ObjectAttributes()
-        attributes.Name = name
+        attributes.Name, attributes.Id = name, uuid5(_IDS, f"{layer}/{name}{text}")
         attributes.LayerIndex = layers[layer]
         return attributes
 
@@ -116,7 +159,7 @@ def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any
     for i, row in enumerate(net):
         for j, point in enumerate(row):
             model.Objects.Add(rhino3dm.Point(point), named(f"P{i},{j}", POINTS_LAYER))
-    model.Strings[DOCUMENT_KEY] = document_to_json(document)
+    model.Strings[DOCUMENT_KEY] = text
     model.Strings["qovr.origin"] = origin(evaluation, options)
     model.Strings["qovr.formulation"] = str(document.formulation)
     return model

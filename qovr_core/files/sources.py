@@ -12,6 +12,7 @@ from qovr_core.document import Document
 from qovr_core.errors import SourceError
 from qovr_core.files.formats import FORMATS
 from qovr_core.files.qovr_document import QOVR
+from qovr_core.files.reading import check_readable
 from qovr_core.presets import preset
 
 PRESET_PREFIX = "paper:"
@@ -69,6 +70,7 @@ def read_source(source: str) -> Document:
     suffix = path.suffix.lower()
     for entry in FORMATS.values():
         if entry.reader is not None and suffix in (entry.suffix, *entry.other_suffixes, *entry.suffixes_read):
+            check_readable(path)
             return entry.reader(path)
     expected = f"a file of {', '.join(readable_suffixes())}, or {PRESET_PREFIX}NAME"
     raise SourceError(f"{source or 'an empty name'}: is no source; expected {expected}")

@@ -60,10 +60,12 @@ STEP = Format(
 
 
 def _header(path: Path, description: str) -> str:
+    time = timestamp()
+    made = time.isoformat() if time else ""
     return (
         "ISO-10303-21;\nHEADER;\n"
         f"FILE_DESCRIPTION(({quoted(description)}),'2;1');\n"
-        f"FILE_NAME({quoted(path.name)},'{timestamp().isoformat()}',(''),(''),{quoted(PROGRAM)},{quoted(PROGRAM)},'');\n"
+        f"FILE_NAME({quoted(path.name)},'{made}',(''),(''),{quoted(PROGRAM)},{quoted(PROGRAM)},'');\n"
         f"FILE_SCHEMA(('{SCHEMA}'));\nENDSEC;\n"
     )
 

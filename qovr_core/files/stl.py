@@ -13,7 +13,7 @@ from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
 from qovr_core.files.conventions import Up
 from qovr_core.files.format import Format
-from qovr_core.files.mesh import MESHED, blocks, build_mesh, float32_rounding
+from qovr_core.files.mesh import MESHED, blocks, build_mesh, check_float32, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import origin
@@ -38,6 +38,7 @@ def write_stl(evaluation: Evaluation, path: Path, progress: Progress, options: E
     """
     mesh = build_mesh(evaluation, options, path, progress, float32_rounding(evaluation, options, REACH))
     points = (options.up or USUAL_UP).turned(mesh.points)
+    check_float32(points, 1.0, path)
     offset = shift(points)
     with replacing(path) as (draft,), draft.open("wb") as file:
         file.write(_header(evaluation, options, offset))

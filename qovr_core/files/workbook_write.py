@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from itertools import zip_longest
 from math import prod
@@ -10,16 +11,17 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.checks import LARGEST_MAGNITUDE
 from qovr_core.document import Document
 from qovr_core.errors import FileError
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import published_layout as layout
-from qovr_core.files.atomic import replacing, unwritable
+from qovr_core.files.atomic import LOGGER, replacing, unwritable
 from qovr_core.files.drafts import scratch_folder
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.files.provenance import PROGRAM
+from qovr_core.files.provenance import PROGRAM, timestamp_insisted_on
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.files.workbook_read import read_workbook
 from qovr_core.geometry.knots import knot_array
@@ -32,6 +34,15 @@ _BYTES_A_POINT = 75
 """Both as measured with 250,000 points on a desktop's processor."""
 
 _ROWS_A_REPORT = 1024
+
+_FEWEST_STEPS = 1000
+"""An axis on which the layout's decimals make fewer steps is written with more of them..."""
+
+_FINER_DIGITS = 6
+"""...with so many digits of the axis's size after its first."""
+
+_MOST_DECIMALS = 300
+"""Beyond, the unit of a decimal is no number in double precision."""
 
 Cells = list[tuple[int, Any]]
 """What stands in one row: pairs of zero-based column and value."""
@@ -61,6 +72,19 @@ def workbook_announcement(document: Document) -> str:
     return f"{points:,} points will take about {seconds:.0f} s and {megabytes:.0f} MB"
 
 
+def transformed_decimals(evaluation: Evaluation) -> tuple[int, ...]:
+    """Return with how many decimals the transformed coordinates are written on each axis.
+
+    The published layout's where they part an axis finely enough, else more.
+    """
+    decimals = []
+    for low, high in evaluation.control_box.tolist():
+        size = high - low or abs(high)
+        is_fine = size == 0 or size >= _FEWEST_STEPS * 10.0**-layout.TRANSFORMED_DECIMALS
+        decimals.append(layout.TRANSFORMED_DECIMALS if is_fine else _FINER_DIGITS - math.floor(math.log10(size)))
+    return tuple(decimals)
+
+
 def write_workbook(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
     """Write a surface in the published layout, whole or not at all.
 
@@ -71,20 +95,29 @@ def write_workbook(evaluation: Evaluation, path: Path, progress: Progress, _opti
     from xlsxwriter.exceptions import XlsxWriterException
 
     check_workbook_size(evaluation.document, path)
+    _check_readable(evaluation, path)
+    decimals = transformed_decimals(evaluation)
     # Rows go to disk one by one, so memory stays small: beside the target, where there must be room anyway.
     with replacing(path) as (draft,), scratch_folder(draft) as scratch:
         try:
-            _write(evaluation, draft, scratch, progress)
+            _write(evaluation, decimals, draft, scratch, progress)
         except XlsxWriterException as error:
             cause = error.args[0] if error.args else error
             raise unwritable(path, cause if isinstance(cause, OSError) else OSError(str(error))) from error
+    if _is_finer(decimals):
+        LOGGER.warning(
+            "%s: the transformed x, y, z have %s decimals, for the layout's %d are too coarse for this surface",
+            path,
+            _listed(decimals),
+            layout.TRANSFORMED_DECIMALS,
+        )
 
 
 WORKBOOK = Format(
     suffix=".xlsx",
     name="Excel workbook",
     keeps="the published layout, cell for cell; "
-    f"transformed coordinates rounded to {layout.TRANSFORMED_DECIMALS} decimals",
+    f"transformed coordinates rounded to {layout.TRANSFORMED_DECIMALS} decimals, more where these are too coarse",
     loses=f"the sixteenth digit of the points; more than {layout.MOST_POINTS:,} of them do not fit",
     writer=write_workbook,
     reader=read_workbook,
@@ -94,27 +127,51 @@ WORKBOOK = Format(
 )
 
 
-def _write(evaluation: Evaluation, draft: Path, scratch: Path, progress: Progress) -> None:
+def _check_readable(evaluation: Evaluation, path: Path) -> None:
+    """Refuse numbers that this program would refuse to read again."""
+    for name in ("raw", "transformed", "matrix"):
+        largest = float(np.abs(getattr(evaluation, name)).max())
+        if not largest <= LARGEST_MAGNITUDE:
+            what = "entries of T" if name == "matrix" else f"{name} coordinates"
+            raise FileError(
+                f"{path}: the {what} reach {largest:.3g}; expected at most {LARGEST_MAGNITUDE:g}, to be read back"
+            )
+
+
+def _is_finer(decimals: tuple[int, ...]) -> bool:
+    return max(decimals) > layout.TRANSFORMED_DECIMALS
+
+
+def _listed(decimals: tuple[int, ...]) -> str:
+    return ", ".join(map(str, decimals))
+
+
+def _rounded(points: np.ndarray, decimals: tuple[int, ...]) -> np.ndarray:
+    kept = [min(k, _MOST_DECIMALS) for k in decimals]
+    return np.stack([points[..., axis].round(k) for axis, k in enumerate(kept)], axis=-1)
+
+
+def _write(evaluation: Evaluation, decimals: tuple[int, ...], draft: Path, scratch: Path, progress: Progress) -> None:
     import xlsxwriter
 
     book = xlsxwriter.Workbook(str(draft), {"constant_memory": True, "tmpdir": str(scratch)})
-    book.set_properties({"title": "QOVR surface", "comments": f"Made by {PROGRAM}"})
+    book.set_properties({"title": "QOVR surface", "comments": f"Made by {PROGRAM}", "created": timestamp_insisted_on()})
     sheet = book.add_worksheet("QOVR surface")
     count = len(evaluation.u) * len(evaluation.v)
-    for row, cells in enumerate(_rows(evaluation), start=layout.TITLE_ROW - 1):
+    for row, cells in enumerate(_rows(evaluation, decimals), start=layout.TITLE_ROW - 1):
         for column, value in cells:
             sheet.write(row, column, value)
         if row % _ROWS_A_REPORT == 0:
             progress(row / (count + layout.FIRST_ROW))
     record = book.add_worksheet(layout.RECORD_SHEET)
-    for row, (name, value) in enumerate(_record(evaluation.document)):
+    for row, (name, value) in enumerate(_record(evaluation.document, decimals)):
         record.write(row, 0, name)
         record.write(row, 1, value)
     book.close()
     progress(1.0)
 
 
-def _record(document: Document) -> list[tuple[str, Any]]:
+def _record(document: Document, decimals: tuple[int, ...]) -> list[tuple[str, Any]]:
     n, m = document.samples
     return [
         ("program", PROGRAM),
@@ -122,10 +179,11 @@ def _record(document: Document) -> list[tuple[str, Any]]:
         ("samples_u", n),
         ("samples_v", m),
         (layout.RECORD_OF_DOCUMENT, document_to_json(document)),
+        *([("transformed_decimals", _listed(decimals))] if _is_finer(decimals) else []),
     ]
 
 
-def _rows(evaluation: Evaluation) -> Iterator[Cells]:
+def _rows(evaluation: Evaluation, decimals: tuple[int, ...]) -> Iterator[Cells]:
     """Yield the cells of every row from the title row on."""
     yield [(layout.column_index(letters), text) for letters, text in layout.TITLES.items()]
     yield []
@@ -136,7 +194,7 @@ def _rows(evaluation: Evaluation) -> Iterator[Cells]:
         (layout.RAW, _point_rows(evaluation.raw)),
         (layout.RAW_BOX, _box_rows(evaluation.raw_box)),
         (layout.MATRIX, iter(evaluation.matrix.tolist())),
-        (layout.TRANSFORMED, _point_rows(evaluation.transformed.round(layout.TRANSFORMED_DECIMALS))),
+        (layout.TRANSFORMED, _point_rows(_rounded(evaluation.transformed, decimals))),
         (layout.ROW_KNOTS, _row_knot_rows(evaluation.document)),
         (layout.COLUMN_KNOTS, _column_knot_rows(evaluation.document)),
     )

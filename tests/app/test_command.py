@@ -1,6 +1,7 @@
 """``qovr screenshot`` and ``qovr [SOURCE]`` as other processes."""
 
 import os
+import shutil
 import subprocess
 import sys
 
@@ -90,6 +91,47 @@ def test_refusals(on_display, tmp_path, call, message):
 @pytest.mark.parametrize("call", [(), ("paper:fig5",), ("screenshot", "a.png")])
 def test_without_a_display_the_window_is_refused_in_words(call, tmp_path):
     assert "there is no display" in refused(qovr(*call, cwd=tmp_path))
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems always have a display")
+@pytest.mark.parametrize("call", [("paper:fig5",), ("screenshot", "a.png")])
+@pytest.mark.parametrize(
+    ("variables", "message"),
+    [
+        ({"DISPLAY": ":9999"}, "':9999' (DISPLAY) does not answer"),
+        ({"DISPLAY": "no such:place"}, "'no such:place' (DISPLAY) does not answer"),
+        ({"QT_QPA_PLATFORM": "nonsense"}, "QT_QPA_PLATFORM is 'nonsense'; expected one of eglfs, "),
+        ({"QT_QPA_PLATFORM": "xcb", "DISPLAY": ""}, "'' (DISPLAY) does not answer"),
+        ({"WAYLAND_DISPLAY": "nothing", "DISPLAY": ""}, "wayland"),
+    ],
+)
+def test_where_no_window_can_be_had_one_line_says_so(on_display, tmp_path, call, variables, message):
+    run = on_display(*call, **variables)
+    assert run.returncode == 2, run.stderr
+    assert run.stderr.startswith("qovr: no window can be opened: ")
+    assert run.stderr.count("\n") == 1
+    assert len(run.stderr) <= 300
+    assert message.lower() in run.stderr.lower()
+
+
+@pytest.mark.skipif(shutil.which("Xvfb") is None, reason="there is no Xvfb")
+def test_a_display_without_glx_shows_the_surface_through_egl(on_display, tmp_path):
+    read, write = os.pipe()
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1440x900x24", "-nolisten", "tcp", "-extension", "GLX"]
+    with subprocess.Popen(command, pass_fds=(write,), stderr=subprocess.DEVNULL) as server:
+        os.close(write)
+        with os.fdopen(read) as answer:
+            number = answer.readline().strip()
+        run = on_display("screenshot", "a.png", "paper:fig8", "--size", "1280x720", DISPLAY=f":{number}")
+        server.terminate()
+    assert (run.returncode, run.stderr) == (0, "")
+    assert share_of_colours(pixels(tmp_path / "a.png")) > 0.02
+
+
+def test_softpipe_draws_the_surface(on_display, tmp_path):
+    run = on_display("screenshot", "a.png", "paper:fig8", "--size", "1280x720", GALLIUM_DRIVER="softpipe")
+    assert (run.returncode, run.stderr) == (0, "")
+    assert share_of_colours(pixels(tmp_path / "a.png")) > 0.02
 
 
 def test_methods_that_return_nothing_keep_their_references(app):

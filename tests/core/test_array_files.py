@@ -3,16 +3,19 @@
 import shutil
 import subprocess
 import zipfile
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from scipy.io import loadmat, savemat, whosmat
 
-from qovr_core import FileError, configure
+from qovr_core import FORMULATIONS, FileError, configure
 from qovr_core.files import format_for, read_source
 from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.progress import silent
+from qovr_core.files.workbook_read import read_published_numbers
+from qovr_core.reproduce import reproduce
 from support.command import qovr, refused
 from support.documents import documents, random_document
 
@@ -41,6 +44,33 @@ def test_a_number_edited_in_a_workbook_counts(tmp_path):
     book.worksheets[0]["G7"].value = 0.25
     book.save(path)
     assert read_source(str(path)).control_points[0, 2, 2] == 0.25
+
+
+@pytest.mark.parametrize("size", [1e-9, 1e-5, 1.0, 1e5, 1e11])
+@pytest.mark.parametrize("far", [0.0, 3e5])
+def test_what_was_written_into_a_workbook_is_recognised(size, far, tmp_path, caplog):
+    for formulation in FORMULATIONS.values():
+        document = random_document(18, formulation, low=0.3, high=0.7)
+        document = replace(document, control_points=size * document.control_points + far)
+        if np.abs(configure(document).raw).max() > 1e12:
+            with pytest.raises(FileError, match=r"the raw coordinates reach .* expected at most 1e"):
+                export(configure(document), tmp_path / "a.xlsx")
+            assert list(tmp_path.iterdir()) == []
+            continue
+        caplog.clear()
+        path = export(configure(document), tmp_path / "a.xlsx")
+        assert formulation in reproduce(path).met_by
+        published = read_published_numbers(path)
+        steps = np.ptp(configure(document).transformed.reshape(-1, 3), axis=0) / 1000 + 1e-15 * far
+        assert (np.abs(published.transformed - configure(document).transformed).max(axis=(0, 1)) <= steps).all()
+        assert any("decimals" in message for message in caplog.messages) == (size < 1e-3)
+        path.unlink()
+
+
+def test_another_surface_is_not_recognised(tmp_path):
+    document = random_document(18, low=0.3, high=0.7)
+    path = export(configure(document), tmp_path / "a.xlsx")
+    assert [str(formulation) for formulation in reproduce(path).met_by] == ["interpolating"]
 
 
 def test_mat_holds_every_array_under_its_name(tmp_path):

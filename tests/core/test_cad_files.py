@@ -296,6 +296,27 @@ def test_the_outline_of_a_patch():
     assert COLLAPSED[0] == Edge.V0
 
 
+@pytest.mark.parametrize("version", [4, 5, 6, 7, 8])
+@pytest.mark.parametrize("count", [1, 25])
+def test_points_that_another_program_moved_are_read_where_they_are(version, count, tmp_path, caplog):
+    import rhino3dm
+
+    surface = configured(29, 4, 4)
+    model = rhino3dm.File3dm.Read(str(export(surface, tmp_path / "a.3dm")))
+    expected = surface.document.control_points.copy()
+    points = [entry for entry in model.Objects if isinstance(entry.Geometry, rhino3dm.Point)][:count]
+    for entry in points:
+        i, j = int(entry.Attributes.Name[1]), int(entry.Attributes.Name[3])
+        expected[i, j] += (0.125 * i, -3.0, 1e-9)
+        entry.Geometry.Location = rhino3dm.Point3d(*expected[i, j].tolist())
+    assert model.Write(str(tmp_path / "b.3dm"), version)
+    again = read_source(str(tmp_path / "b.3dm"))
+    assert again.control_points.tolist() == expected.tolist()
+    assert again == replace(surface.document, control_points=expected)
+    (said,) = caplog.messages
+    assert f"b.3dm: {count} control point" in said
+
+
 @pytest.mark.parametrize("version", [5, 6, 7, 8])
 def test_the_document_survives_another_programs_save(version, tmp_path):
     import rhino3dm

@@ -2,6 +2,7 @@
 
 import re
 import subprocess
+import sys
 import xml.etree.ElementTree as ET
 from dataclasses import replace
 
@@ -17,7 +18,7 @@ from qovr_core.figures.curves import Sheet, draw_curve, draw_knots, draw_parabol
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve, curve_of
 from qovr_core.laboratory.planes import View, plane_of
 from qovr_core.presets import curve_case, figure_cases, network_case
-from support.command import qovr
+from support.command import environment, qovr
 from support.documents import random_document
 
 
@@ -188,14 +189,54 @@ def test_figures_are_found_by_name_and_by_number():
         find_figures(["fig"])
 
 
+def figures_in(folder, **changes):
+    """Return all files of two figures, drawn in a folder where settings may lie."""
+    folder.mkdir(exist_ok=True)
+    code = "import sys; from qovr_core.cli import main; sys.exit(main(sys.argv[1:]))"
+    call = [sys.executable, "-c", code, "figures", "out", "--only", "fig2", "--formats", "svg,pdf"]
+    done = subprocess.run(call, cwd=folder, env=environment(**changes), capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    return {path.name: path.read_bytes() for path in (folder / "out").iterdir()}
+
+
+USERS_SETTINGS = """
+font.family: serif
+font.size: 30
+axes.facecolor: pink
+lines.linewidth: 9
+savefig.bbox: tight
+pdf.fonttype: 3
+svg.fonttype: path
+axes.formatter.use_locale: True
+text.usetex: True
+no.such.setting: 1
+"""
+
+
+def test_figures_are_the_same_whatever_a_users_settings_say(tmp_path):
+    (tmp_path / "settings").mkdir()
+    (tmp_path / "settings/matplotlibrc").write_text(USERS_SETTINGS)
+    plain = figures_in(tmp_path / "plain")
+    assert figures_in(tmp_path / "settings", LC_ALL="C.UTF-8") == plain
+    for name, content in plain.items():
+        if name.endswith(".pdf"):
+            assert b"/CIDFontType2" in content
+            assert b"/Type3" not in content
+            assert b"/DCTDecode" not in content
+            assert b"/Title (QOVR surfaces, Figure" in content
+        elif name.endswith(".svg"):
+            texts = [element for element in ET.fromstring(content).iter() if element.tag.endswith("}text")]
+            said = {"".join(element.itertext()).strip() for element in texts}
+            expected = {f"P{i},{j}" for i in range(5) for j in range(5)} | {"X-Axis"} if name == "fig2.svg" else set()
+            assert expected <= said
+            assert len(said) > 10
+            assert b"<title>QOVR surfaces, Figure" in content
+
+
 def test_figures_need_no_display_and_no_qt(tmp_path):
     code = (
         "import sys; from qovr_core.cli import main; "
         f"assert main(['figures', {str(tmp_path)!r}, '--only', 'fig7a', '--formats', 'png', '--dpi', '50']) == 0; "
         "assert not [name for name in sys.modules if name.startswith(('PySide6', 'matplotlib.pyplot'))]"
     )
-    import sys
-
-    from support.command import environment
-
     subprocess.run([sys.executable, "-W", "error", "-c", code], env=environment(), check=True)

@@ -356,3 +356,32 @@ def test_glb_extras_hold_origin_tolerance_and_document(tmp_path):
     assert document_from_json(json.dumps(extras["document"])) == surface.document
     assert extras["tolerance"] == 0.01
     assert 0 < extras["deviation"] <= 0.01
+
+
+# --- limits -----------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+@pytest.mark.parametrize("far", [0.0, 1e6])
+def test_samples_without_area_are_refused_in_a_line(suffix, far, tmp_path):
+    """The four corners, which alone are sampled, are one place or lie on one line; the surface between is a surface."""
+    document = of_degree(55, 4, 4, samples=(2, 2))
+    for corners in (np.full((2, 2), 2.0), np.array([[0.0, 1.0], [2.0, 3.0]])):
+        points = document.control_points.copy()
+        points[1:4:2, 1:4:2] = corners[..., None] * np.array([1.0, 2.0, 0.5])
+        surface = configure(replace(document, control_points=points + far))
+        with pytest.raises(FileError, match=r"at 2 x 2 samples the mesh has no area; expected more samples"):
+            export(surface, tmp_path / f"a{suffix}")
+    assert not list(tmp_path.iterdir())
+    export(configure(replace(surface.document, samples=(9, 9))), tmp_path / f"a{suffix}")
+
+
+@pytest.mark.parametrize("size", [1e-300, 1e-40])
+def test_what_32_bits_cannot_hold_is_refused(size, tmp_path):
+    surface = configure(of_degree(56, 6, 6, size))
+    for suffix in (".stl", ".glb"):
+        with pytest.raises(FileError, match="across; expected 1e-30 to 1e"):
+            export(surface, tmp_path / f"a{suffix}")
+    assert not list(tmp_path.iterdir())
+    export(surface, tmp_path / "a.ply")
+    assert np.isfinite(meshio.read(tmp_path / "a.ply").points).all()

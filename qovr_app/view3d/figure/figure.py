@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QImage, QImageWriter, QPageSize, QPainter, QPd
 
 from qovr_app.state.figure_options import INCH, FigureOptions
 from qovr_app.style.canvas import painting
+from qovr_app.view3d.figure.pdf_metadata import same_every_time
 from qovr_app.view3d.scene.camera import Size, fitted
 from qovr_app.view3d.scene.picture import Picture, margins
 from qovr_core.files.atomic import replacing
@@ -114,7 +115,7 @@ def _svg(page: _Page, options: FigureOptions) -> QByteArray:
     from PySide6.QtSvg import QSvgGenerator
 
     data, buffer = _buffer()
-    generator = QSvgGenerator()
+    generator = QSvgGenerator(QSvgGenerator.SvgVersion.Svg11)  # SVG Tiny clips nothing
     generator.setOutputDevice(buffer)
     units = [round(side / INCH * _SVG_UNITS) for side in options.millimetres]
     generator.setResolution(_SVG_UNITS)
@@ -136,10 +137,11 @@ def _pdf(page: _Page, options: FigureOptions) -> QByteArray:
     writer.setPageSize(QPageSize(points, QPageSize.Unit.Point, "", QPageSize.SizeMatchPolicy.ExactMatch))
     writer.setPageMargins(QMarginsF(0, 0, 0, 0))
     with painting(writer) as painter:
+        painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)  # else images become JPEG
         painter.scale(writer.width() / page.size[0], writer.height() / page.size[1])
         painter.fillRect(QRectF(0, 0, *page.size), QColor(*page.panels[0].picture.theme.background))
         _draw_page(painter, page, transparent=False)
-    return data
+    return QByteArray(same_every_time(bytes(data.data())))
 
 
 def _buffer() -> tuple[QByteArray, QBuffer]:

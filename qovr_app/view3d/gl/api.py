@@ -8,7 +8,15 @@ from enum import Enum
 
 import numpy as np
 import numpy.typing as npt
-from OpenGL import GL
+from OpenGL import GL, error
+
+
+class DriverError(RuntimeError):
+    """Something that this driver should give and does not; the text says what."""
+
+
+FAILURES: tuple[type[Exception], ...] = (error.Error, DriverError)
+"""What an OpenGL call that fails raises; every other exception is an error of the program."""
 
 _FLOAT_BYTES = 4
 

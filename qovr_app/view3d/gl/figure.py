@@ -53,7 +53,7 @@ def _tile_image(
     width, height = tile[2:]
     buffer = sampled_buffer((width, height))
     if not buffer.isValid() or not buffer.bind():
-        raise RuntimeError("the driver gives no framebuffer for a figure")
+        raise api.DriverError("the driver gives no framebuffer for a figure")
     api.use_viewport(width, height)
     api.clear()
     matrix = _crop(pixels, tile) @ picture.camera.matrix(size)

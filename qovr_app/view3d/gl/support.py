@@ -5,7 +5,9 @@ A widget whose OpenGL fails can blank the whole window, so no such widget is bui
 
 from __future__ import annotations
 
+import ctypes
 import os
+import sys
 from dataclasses import dataclass
 from functools import cache
 
@@ -64,7 +66,6 @@ def gl_support() -> GlSupport:
     platform = QGuiApplication.platformName()
     if platform in _NO_OPENGL_PLATFORMS:
         return _not_usable(f"the platform '{platform}' has none")
-    _choose_pyopengl_platform(platform)
     context, surface = QOpenGLContext(), QOffscreenSurface()
     if not context.create():
         return _not_usable("no context could be created")
@@ -72,6 +73,8 @@ def gl_support() -> GlSupport:
     surface.create()
     if not surface.isValid() or not context.makeCurrent(surface):
         return _not_usable("no context could be made current")
+    if sys.platform == "linux":
+        os.environ["PYOPENGL_PLATFORM"] = "egl" if _is_current_in_egl() else "glx"
     try:
         return _described(context)
     finally:
@@ -79,18 +82,23 @@ def gl_support() -> GlSupport:
         surface.destroy()
 
 
+def forget_support() -> None:
+    """Let ``gl_support`` look again: a driver may have come back."""
+    gl_support.cache_clear()
+
+
 def _not_usable(reason: str) -> GlSupport:
     return GlSupport(usable=False, reason=f"OpenGL is not available: {reason}")
 
 
-def _choose_pyopengl_platform(platform: str) -> None:
-    """Make PyOpenGL ask the library through which Qt makes its contexts; on a Wayland session it may guess
-    wrong."""
-    if platform == "xcb":
-        uses_egl = os.environ.get("QT_XCB_GL_INTEGRATION") == "xcb_egl"
-        os.environ.setdefault("PYOPENGL_PLATFORM", "egl" if uses_egl else "glx")
-    elif platform.startswith(("wayland", "eglfs")):
-        os.environ.setdefault("PYOPENGL_PLATFORM", "egl")
+def _is_current_in_egl() -> bool:
+    """Return whether the current context is one of EGL, as under Wayland and X without GLX; else it is one of GLX."""
+    try:
+        egl = ctypes.CDLL("libEGL.so.1")
+    except OSError:
+        return False
+    egl.eglGetCurrentContext.restype = ctypes.c_void_p
+    return egl.eglGetCurrentContext() is not None
 
 
 def _described(context: QOpenGLContext) -> GlSupport:

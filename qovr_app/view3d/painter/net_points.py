@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from qovr_app.style.canvas import dimmed
 from qovr_app.view3d.painter.text import draw_text
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, Flags
@@ -32,17 +33,16 @@ def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags)
         if not np.isfinite(x):
             continue
         centre = QPointF(x, y)
-        painter.setOpacity(_HIDDEN if hidden[index] and index not in marked else 1.0)
-        if index in picture.selected:
-            width = _RING_WIDTH if index == picture.last_selected else _THIN_RING_WIDTH
-            painter.setPen(QPen(QColor(*theme.accent), width))
-            painter.setBrush(QColor(*theme.rim))
-            painter.drawEllipse(centre, _RING_RADIUS, _RING_RADIUS)
-        painter.setPen(QPen(QColor(*theme.rim), 1.4))
-        painter.setBrush(QColor(*theme.accent))
-        radius = _MARKED_RADIUS if index in marked else POINT_RADIUS
-        painter.drawEllipse(centre, radius, radius)
-    painter.setOpacity(1.0)
+        with dimmed(painter, _HIDDEN if hidden[index] and index not in marked else 1.0):
+            if index in picture.selected:
+                width = _RING_WIDTH if index == picture.last_selected else _THIN_RING_WIDTH
+                painter.setPen(QPen(QColor(*theme.accent), width))
+                painter.setBrush(QColor(*theme.rim))
+                painter.drawEllipse(centre, _RING_RADIUS, _RING_RADIUS)
+            painter.setPen(QPen(QColor(*theme.rim), 1.4))
+            painter.setBrush(QColor(*theme.accent))
+            radius = _MARKED_RADIUS if index in marked else POINT_RADIUS
+            painter.drawEllipse(centre, radius, radius)
 
 
 def draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: Flags) -> None:

@@ -20,7 +20,7 @@ from PySide6.QtGui import (
     QTransform,
 )
 
-from qovr_app.style.canvas import blank_image, painting
+from qovr_app.style.canvas import blank_image, dimmed, painting
 from qovr_app.style.theme import Rgb
 
 SMALL, NORMAL = 11, 12
@@ -93,18 +93,19 @@ def draw_text(
     if upright:
         width, height = height, width
     x, y = anchor[0] - alignment[0] * width, anchor[1] - alignment[1] * height
-    painter.setOpacity(opacity)
     if isinstance(painter.device(), QImage):
+        painter.setOpacity(opacity)
         ratio = painter.device().devicePixelRatioF()
         image = _sprite(_Lettering(runs, colour, pixels, halo, upright), ratio)
         # A sprite between two pixels would be blurred.
         x, y = (round((value - _PAD) * ratio) / ratio for value in (x, y))
         painter.drawImage(QPointF(x, y), image)
+        painter.setOpacity(1.0)
     else:
-        path = _outline(_pieces(runs, pixels, QPointF(0, 0)))
         placed = QTransform.fromTranslate(x, y + height).rotate(-90) if upright else QTransform.fromTranslate(x, y)
-        _draw_outlines(painter, placed.map(path), colour, halo)
-    painter.setOpacity(1.0)
+        with dimmed(painter, opacity):
+            painter.setTransform(placed, combine=True)
+            _draw_pieces(painter, _pieces(runs, pixels, QPointF(0, 0)), colour, halo)
 
 
 def _pieces(runs: Runs, pixels: int, corner: QPointF) -> list[tuple[QPointF, QFont, str]]:
@@ -137,11 +138,14 @@ def _halo_pen(halo: Rgb) -> QPen:
     )
 
 
-def _draw_outlines(painter: QPainter, path: QPainterPath, colour: Rgb, halo: Rgb | None) -> None:
-    """Draw as shapes: a figure then looks the same where the font is not installed."""
+def _draw_pieces(painter: QPainter, pieces: list[tuple[QPointF, QFont, str]], colour: Rgb, halo: Rgb | None) -> None:
+    """Draw a halo as shapes, and the text as text, which SVG and PDF keep: to be searched, and edited."""
     if halo is not None:
-        painter.strokePath(path, _halo_pen(halo))
-    painter.fillPath(path, QColor(*colour))
+        painter.strokePath(_outline(pieces), _halo_pen(halo))
+    painter.setPen(QColor(*colour))
+    for point, font, piece in pieces:
+        painter.setFont(font)
+        painter.drawText(point, piece)
 
 
 @dataclass(frozen=True)
@@ -162,10 +166,5 @@ def _sprite(text: _Lettering, ratio: float) -> QImage:
     pieces = _pieces(text.runs, text.pixels, QPointF(_PAD, _PAD))
     with painting(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        if text.halo is not None:
-            painter.strokePath(_outline(pieces), _halo_pen(text.halo))
-        painter.setPen(QColor(*text.colour))
-        for point, font, piece in pieces:
-            painter.setFont(font)
-            painter.drawText(point, piece)
+        _draw_pieces(painter, pieces, text.colour, text.halo)
     return image.transformed(QTransform().rotate(-90)) if text.upright else image

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtGui import QKeySequence
 
 from qovr_app.state import intents, requests
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import Intent
 from qovr_app.window.commands.command import Command, asking
 from qovr_core.files.sources import PRESET_PREFIX
 from qovr_core.presets import presets
+from qovr_core.shapes import SHAPES, Shape
 
 _Key = QKeySequence.StandardKey
 
@@ -16,18 +21,36 @@ def file_commands() -> tuple[Command, ...]:
     """Return the commands of the menu File."""
     menu = "&File"
     return (
+        *(
+            Command(
+                f"new_{name}",
+                shape.title,
+                _beginning(shape),
+                f"{menu}/&New",
+                _Key.New if name == next(iter(SHAPES)) else None,
+                "An interpolating surface to begin with",
+            )
+            for name, shape in SHAPES.items()
+        ),
         Command("open", "&Open…", asking(requests.OpenAsked()), menu, _Key.Open),
         *(
             Command(
                 f"preset_{name}",
                 f"{name}  {entry.title}",
                 asking(requests.SourceAsked(f"{PRESET_PREFIX}{name}")),
-                f"{menu}/&Presets of the paper",
+                f"{menu}/New from &preset",
             )
             for name, entry in presets().items()
         ),
         Command("save", "&Save", asking(requests.SaveAsked()), menu, _Key.Save, begins_part=True),
         Command("save_as", "Save &As…", asking(requests.SaveAsked(elsewhere=True)), menu, _Key.SaveAs),
+        Command(
+            "save_copy",
+            "Save a Cop&y…",
+            asking(requests.SaveCopyAsked()),
+            menu,
+            tip="Write another file and stay with this one",
+        ),
         Command(
             "reload",
             "Re&vert",
@@ -48,7 +71,12 @@ def file_commands() -> tuple[Command, ...]:
         ),
         Command("save_figure", "Save Fi&gure…", asking(requests.FigureAsked()), menu, "Ctrl+G"),
         Command("close", "&Close", asking(requests.CloseAsked()), menu, _Key.Close, begins_part=True),
+        Command("quit", "&Quit", asking(requests.QuitAsked()), menu, _Key.Quit, "Close every window"),
     )
+
+
+def _beginning(shape: Shape) -> Callable[[EditorState], Intent]:
+    return lambda _state: requests.DocumentAsked(shape.document(), shape.title)
 
 
 def edit_commands() -> tuple[Command, ...]:
@@ -72,6 +100,27 @@ def edit_commands() -> tuple[Command, ...]:
             _Key.Redo,
             is_enabled=lambda state: state.history.redo_text is not None,
             noun=lambda state: state.history.redo_text or "",
+        ),
+        Command(
+            "copy",
+            "&Copy points",
+            asking(requests.CopyAsked("points")),
+            menu,
+            _Key.Copy,
+            "Copy the selected points as a table of X, Y, Z",
+            is_enabled=lambda state: bool(state.selection.points),
+            needs="Select control points first",
+            begins_part=True,
+        ),
+        Command(
+            "paste",
+            "P&aste points",
+            asking(requests.PasteAsked(over_points=True)),
+            menu,
+            _Key.Paste,
+            "Paste a table of X, Y, Z over the selected points, in the order in which Copy writes them",
+            is_enabled=lambda state: bool(state.selection.points),
+            needs="Select as many control points as the table has rows first",
         ),
         Command(
             "copy_zone",

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable, Collection
 from itertools import product
 
-from qovr_app.state import intents, requests
+from qovr_app.state import point_intents, requests
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.state.looking_intents import Selected
@@ -89,7 +89,7 @@ def point_commands() -> tuple[Command, ...]:
     repeat = Command(
         "repeat",
         "Rep&eat",
-        lambda state: intents.PointsEdited(_last_edit(state) or Smooth(), state.selection.indices),
+        lambda state: point_intents.PointsEdited(_last_edit(state) or Smooth(), state.selection.indices),
         "&Edit",
         "F4",
         "Do the last edit of points again, with what is selected now",
@@ -114,7 +114,7 @@ def _nudges() -> list[Command]:
             step = [0.0, 0.0, 0.0]
             step[axis] = way * nudge_step(state.tools, state.document)
             x, y, z = step
-            return intents.PointsNudged(state.selection.indices, (x, y, z), time.monotonic())
+            return point_intents.PointsNudged(state.selection.indices, (x, y, z), time.monotonic())
 
         return nudge
 
@@ -133,7 +133,7 @@ def _symmetries() -> list[Command]:
         Command(
             f"symmetric_{across.name.lower()}_{source}",
             f"Across {across.name.lower()}, {text}",
-            asking(intents.MadeSymmetric(across, source)),
+            asking(point_intents.MadeSymmetric(across, source)),
             _SYMMETRY,
             None,
             tip,
@@ -163,10 +163,10 @@ def _picking(state: EditorState, points: Collection[NetIndex]) -> Intent:
 
 
 def _editing(edit: NetEdit) -> Callable[[EditorState], Intent]:
-    return lambda state: intents.PointsEdited(edit, state.selection.indices)
+    return lambda state: point_intents.PointsEdited(edit, state.selection.indices)
 
 
 def _last_edit(state: EditorState) -> NetEdit | None:
     """Return the last edit of points that was done and not taken back."""
     done = (step.intent for step in reversed(state.history.steps[: state.history.index]))
-    return next((intent.edit for intent in done if isinstance(intent, intents.PointsEdited)), None)
+    return next((intent.edit for intent in done if isinstance(intent, point_intents.PointsEdited)), None)

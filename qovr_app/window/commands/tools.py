@@ -108,4 +108,32 @@ def probe_commands() -> tuple[Command, ...]:
 def help_commands() -> tuple[Command, ...]:
     """Return the commands of the menu Help."""
     key = QKeySequence.StandardKey.HelpContents
-    return (Command("help", "&Help", asking(requests.HelpAsked()), "&Help", key),)
+    menu = "&Help"
+    return (
+        Command("help", "&Help", asking(requests.HelpAsked()), menu, key),
+        Command("keys", "&Keys", asking(requests.KeysAsked()), menu, "Ctrl+F1", "Which command has which key"),
+        Command(
+            "palette",
+            "&Find a command…",
+            asking(requests.PaletteAsked()),
+            menu,
+            "Ctrl+Shift+P",
+            "All commands, by a few letters of their names",
+        ),
+        Command(
+            "citation",
+            "Copy the &citation",
+            asking(requests.CopyAsked("citation")),
+            menu,
+            tip="Copy the paper's entry for BibTeX",
+            begins_part=True,
+        ),
+        Command(
+            "report",
+            "Report a &problem",
+            asking(requests.CopyAsked("report")),
+            menu,
+            tip="Copy versions and what was done, to paste into a report",
+        ),
+        Command("about", "&About", asking(requests.AboutAsked()), menu, tip="The versions in use"),
+    )

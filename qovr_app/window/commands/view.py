@@ -8,7 +8,7 @@ from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, MouseSch
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.state.looking_intents import DisplayChosen
-from qovr_app.state.requests import CameraAsked, CameraMoved, CameraStep, RangeAsked
+from qovr_app.state.requests import CameraAsked, CameraMoved, CameraStep, CopyAsked, RangeAsked, ViewRestartAsked
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.window.commands.command import Command, asking
 
@@ -111,7 +111,7 @@ _CAMERA_MOVES: dict[str, tuple[CameraStep, str, str | None, str]] = {
 
 def view_commands() -> tuple[Command, ...]:
     """Return the commands that change display settings and camera."""
-    return (*_choice_commands(), *_switch_commands(), *_camera_commands())
+    return (*_choice_commands(), *_switch_commands(), *_camera_commands(), *_view_commands())
 
 
 def _choice_commands() -> list[Command]:
@@ -205,3 +205,24 @@ def _camera_commands() -> list[Command]:
         is_checked=_is_on("always_fits"),
     )
     return [fit, follow, *named, *moves]
+
+
+def _view_commands() -> list[Command]:
+    return [
+        Command(
+            "copy_picture",
+            "Copy p&icture",
+            asking(CopyAsked("picture")),
+            "&View",
+            "Ctrl+Shift+I",
+            "Put what the view shows on the clipboard, as a picture at the screen's resolution",
+            begins_part=True,
+        ),
+        Command(
+            "restart_view",
+            "Restart the vie&w",
+            asking(ViewRestartAsked()),
+            "&View",
+            tip="Begin again with the drawing, and with OpenGL if it can be used by now",
+        ),
+    ]

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qovr_app.state import intents, looking_intents, requests
+from qovr_app.state import intents, looking_intents, point_intents, requests
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
@@ -41,9 +41,9 @@ EXAMPLES = {
         st.lists(TRIPLES).map(tuple),
         GESTURES,
     ),
-    intents.PointsNudged: st.builds(intents.PointsNudged, st.lists(INDICES).map(tuple), TRIPLES, NUMBERS),
-    intents.PointsEdited: st.builds(
-        intents.PointsEdited,
+    point_intents.PointsNudged: st.builds(point_intents.PointsNudged, st.lists(INDICES).map(tuple), TRIPLES, NUMBERS),
+    point_intents.PointsEdited: st.builds(
+        point_intents.PointsEdited,
         st.one_of(
             st.builds(Transform, TRIPLES, TRIPLES, st.integers(0, 2), NUMBERS, st.sampled_from(About)),
             st.builds(Flatten, st.sampled_from(Plane)),
@@ -52,7 +52,9 @@ EXAMPLES = {
         ),
         st.lists(INDICES).map(tuple),
     ),
-    intents.MadeSymmetric: st.builds(intents.MadeSymmetric, st.sampled_from(Direction), st.sampled_from(Source)),
+    point_intents.MadeSymmetric: st.builds(
+        point_intents.MadeSymmetric, st.sampled_from(Direction), st.sampled_from(Source)
+    ),
     looking_intents.Selected: st.builds(
         looking_intents.Selected,
         st.none() | INDICES,
@@ -76,7 +78,7 @@ EXAMPLES = {
 
 
 def kinds():
-    for module in (intents, looking_intents, requests):
+    for module in (intents, looking_intents, point_intents, requests):
         for _, kind in inspect.getmembers(module, inspect.isclass):
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 yield kind

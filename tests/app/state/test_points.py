@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from qovr_app.state import intents, looking_intents
+from qovr_app.state import intents, looking_intents, point_intents
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
 from qovr_app.state.looking_intents import Picking
@@ -140,7 +140,7 @@ def test_fields_edit_their_mirror_images_too(start):
 
 def test_nudges_within_a_second_are_one_step(start):
     def nudge(at, index=(2, 2)):
-        return intents.PointsNudged((index,), (0.0, 0.0, 0.01), at)
+        return point_intents.PointsNudged((index,), (0.0, 0.0, 0.01), at)
 
     state = after(start, *map(nudge, (10.0, 10.9, 11.5)))
     assert state.history.index == 1
@@ -166,7 +166,7 @@ def test_nudges_within_a_second_are_one_step(start):
     ],
 )
 def test_an_edit_of_the_selection_is_one_step_that_sets_the_document(start, edit, text):
-    intent = intents.PointsEdited(edit, ((1, 1), (3, 2)))
+    intent = point_intents.PointsEdited(edit, ((1, 1), (3, 2)))
     state = after(start, intents.LiveSwitched(False), intent)
     assert state.history.undo_text == text
     assert {tuple(index) for index in np.argwhere(moved(start, state).any(axis=-1))} <= {(1, 1), (3, 2)}
@@ -175,9 +175,9 @@ def test_an_edit_of_the_selection_is_one_step_that_sets_the_document(start, edit
 
 
 def test_making_symmetric_is_one_step(start):
-    state = after(start, intents.MadeSymmetric(Direction.COLUMNS, Source.FIRST))
+    state = after(start, point_intents.MadeSymmetric(Direction.COLUMNS, Source.FIRST))
     assert state.document == start.document
     state = after(start, intents.PointsMoved(((1, 0),), ((0.1, 0.2, 0.3),)))
-    state = after(state, intents.MadeSymmetric(Direction.COLUMNS, Source.FIRST))
+    state = after(state, point_intents.MadeSymmetric(Direction.COLUMNS, Source.FIRST))
     assert state.history.undo_text == "Make symmetric across columns"
     np.testing.assert_allclose(moved(start, state)[1, 4], [-0.1, 0.2, 0.3], atol=1e-15)

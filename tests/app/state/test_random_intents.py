@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import pytest
 
-from qovr_app.state import intents, looking_intents
+from qovr_app.state import intents, looking_intents, point_intents
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
@@ -37,9 +37,9 @@ def some(rng):
             intents.ZoneSet(rng.choice(list(Zone)), {}),
             intents.ZoneRead(rng.choice(list(Zone))),
             intents.PointsMoved(((i, j), (j, i)), ((0.0, 0.1, number), (number, 0.0, 0.0)), 3),
-            intents.PointsNudged(((i, j),), (0.0, 0.0, number), rng.random()),
-            intents.PointsEdited(rng.choice(EDITS), ((i, j), (j, i))),
-            intents.MadeSymmetric(rng.choice(list(Direction)), rng.choice(list(Source))),
+            point_intents.PointsNudged(((i, j),), (0.0, 0.0, number), rng.random()),
+            point_intents.PointsEdited(rng.choice(EDITS), ((i, j), (j, i))),
+            point_intents.MadeSymmetric(rng.choice(list(Direction)), rng.choice(list(Source))),
             looking_intents.ToolChosen(rng.choice(["soft", "symmetry_rows", "symmetry_columns"]), rng.random() < 0.5),
             intents.GestureEnded(3),
             intents.GestureCancelled(3),

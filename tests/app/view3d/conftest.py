@@ -59,11 +59,13 @@ class Owner:
         self.ends: list[tuple[str, int]] = []
         self.selections: list[object] = []
         self.reasons: list[str] = []
+        self.faults: list[str] = []
         view.points_dragged.connect(self._on_dragged)
         view.drag_finished.connect(self._on_finished)
         view.drag_cancelled.connect(self._on_cancelled)
         view.points_picked.connect(self._on_picked)
         view.fell_back.connect(self.reasons.append)
+        view.faulted.connect(self.faults.append)
         change(view, document=document)
 
     def show(self, document: Document) -> None:

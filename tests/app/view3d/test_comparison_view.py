@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication
 from qovr_app.state.display import LayerChoice, Placement, Style
 from qovr_app.state.figure_options import FigureOptions
 from qovr_app.view3d.scene.comparison import ComparisonView
-from qovr_core.edits import set_point
+from qovr_core.edits import set_formulation, set_point
 from qovr_core.fields import Field
 from qovr_core.geometry.closest import closest_points
 from qovr_core.geometry.knots import Direction, KnotPlace
@@ -91,6 +91,24 @@ def test_it_has_no_knots_to_be_sensitive_to(make_view, document):
     view = make_view(document, layer=LayerChoice.RAW, colour_by="sensitivity").view
     change(view, comparison=compared(Placement.BESIDE))
     assert view.picture(1).colouring.note == "A B-spline surface has no internal knots"
+
+
+@pytest.mark.parametrize("order", ["comparison first", "knot first"])
+def test_beside_a_surface_coloured_by_a_sensitivity_it_is_drawn_without_a_fault(owner, document, order):
+    view = owner.view
+    owner.show(set_formulation(document, "published"))
+    knot = KnotPlace(Direction.ROWS, 4, "s")
+    steps = [{"comparison": compared(Placement.BESIDE)}, {"knot": knot}]
+    choose(view, colour_by="sensitivity", probe=True)
+    for step in steps if order == "comparison first" else steps[::-1]:
+        change(view, **step)
+        view.image()
+    for viewport in view.viewports:
+        QTest.mouseMove(viewport.widget, QPoint(*(round(side / 2) for side in viewport.logical_size)))
+        view.image()
+    change(view, knot=None)
+    view.image()
+    assert owner.faults == []
 
 
 def test_the_colours_of_a_sensitivity_are_those_of_the_surface_that_has_the_knot(owner):

@@ -232,49 +232,135 @@ def test_any_number_of_points_can_be_selected(make_view, document, expected_pixe
     assert owner.view.picture().last_selected == (4, 4)
 
 
-@pytest.mark.parametrize("where", ["upload", "shader", "overlay"])
-def test_an_error_while_painting_leads_to_the_painter(make_view, document, monkeypatch, silenced, where):
-    from qovr_app.view3d import gl_viewport
+@pytest.mark.parametrize("where", ["upload", "shader"])
+def test_an_opengl_call_that_fails_leads_to_the_painter_until_the_view_is_restarted(
+    make_view, document, monkeypatch, silenced, where
+):
+    from OpenGL.error import GLError
+
+    from qovr_app.view3d.gl import api
     from qovr_app.view3d.gl import program as gl_program
-    from qovr_app.view3d.gl import surface_buffers
 
     def fail(*args, **kwargs):
-        raise RuntimeError("the driver has had enough")
+        raise GLError(err=1285, description=b"the driver has had enough")
 
     owner = make_view(document)
     if not owner.view.uses_opengl:
         pytest.skip("there is no OpenGL here")
-    if where == "shader":
-        monkeypatch.setattr(gl_program, "shader_source", lambda name: "void main() { this is no shader; }")
-        change(owner.view, settings=DisplaySettings(parameter_lines=False))
-    elif where == "upload":
-        monkeypatch.setattr(surface_buffers, "surface_vertices", fail)
-        owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.4)))
-    else:
-        monkeypatch.setattr(gl_viewport, "draw_overlay", fail)
-        select(owner.view, (1, 1))
-    QTest.qWait(400)
+    with monkeypatch.context() as patch:
+        if where == "shader":
+            patch.setattr(gl_program, "shader_source", lambda name: "void main() { this is no shader; }")
+            change(owner.view, settings=DisplaySettings(parameter_lines=False))
+        else:
+            patch.setattr(api, "load_attributes", fail)
+            owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.4)))
+        QTest.qWait(400)
     assert len(owner.reasons) == 1
     assert owner.reasons[0].startswith("OpenGL failed while drawing:")
     assert not owner.view.uses_opengl
-    assert np.ptp(np.array([owner.view.image().pixelColor(x, 300).hue() for x in range(150, 450, 10)])) > 20
+    assert shows_colours(owner.view)
     assert len(silenced) == 1
+    owner.view.restart()
+    QTest.qWait(100)
+    assert owner.view.uses_opengl
+    assert shows_colours(owner.view)
+    assert (len(owner.reasons), owner.faults) == (1, [])
+
+
+def shows_colours(view):
+    """Return whether the picture has the colours of a surface."""
+    return np.ptp(np.array([view.image().pixelColor(x, 300).hue() for x in range(150, 450, 10)])) > 20
+
+
+@pytest.mark.parametrize("where", ["upload", "overlay", "painter"])
+def test_an_error_of_the_program_while_drawing_is_said_as_that_and_the_next_state_is_drawn(
+    make_view, document, monkeypatch, silenced, where, request
+):
+    from qovr_app.view3d import gl_viewport, painter_viewport
+    from qovr_app.view3d.gl import surface_buffers
+
+    def fail(*args, **kwargs):
+        raise ZeroDivisionError("a step of nothing\nat all")
+
+    if where == "painter":
+        request.getfixturevalue("no_opengl")
+    owner = make_view(document)
+    used, reasons = owner.view.uses_opengl, list(owner.reasons)
+    part, name = {
+        "upload": (surface_buffers, "surface_vertices"),
+        "overlay": (gl_viewport, "draw_overlay"),
+        "painter": (painter_viewport, "draw_overlay"),
+    }[where]
+    with monkeypatch.context() as patch:
+        patch.setattr(part, name, fail)
+        owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.4)))
+        QTest.qWait(400)
+    assert owner.reasons == reasons
+    assert owner.view.uses_opengl == used
+    assert owner.faults
+    assert all("error of this program" in fault and "OpenGL" not in fault for fault in owner.faults)
+    assert all(fault.endswith(": a step of nothing at all") and len(fault) <= 300 for fault in owner.faults)
+    assert silenced[0].exc_info[0] is ZeroDivisionError
+    faults = len(owner.faults)
+    owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.5)))
+    QTest.qWait(300)
+    assert len(owner.faults) == faults
+    assert shows_colours(owner.view)
 
 
 def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, monkeypatch, silenced):
-    from qovr_app.view3d import gl_viewport
+    from qovr_app.view3d.gl import api
 
     owner = make_view(document, layer=LayerChoice.BOTH)
 
     def fail(*args, **kwargs):
-        raise RuntimeError("lost")
+        raise api.DriverError("lost")
 
-    monkeypatch.setattr(gl_viewport, "draw_overlay", fail)
+    monkeypatch.setattr(api, "load_image", fail)
     select(owner.view, (1, 1))
     spin(lambda: bool(owner.reasons))
     spin(100)
     assert len(owner.reasons) == 1
     assert len(owner.view.viewports) == 2
+
+
+def test_what_a_context_held_is_drawn_again_in_the_next_one(make_view, document):
+    view = make_view(document).view
+    if not view.uses_opengl:
+        pytest.skip("there is no OpenGL here")
+    viewport = view.viewports[0]
+    for _ in range(2):
+        viewport.context().aboutToBeDestroyed.emit()
+        viewport.initializeGL()
+        assert shows_colours(view)
+
+
+def test_a_context_that_is_lost_is_replaced_by_another_one(make_view, document, monkeypatch, spin):
+    from qovr_app.view3d import gl_viewport
+    from qovr_app.view3d.gl import api
+
+    class LostContext:
+        def isValid(self):
+            return False
+
+    owner = make_view(document)
+    if not owner.view.uses_opengl:
+        pytest.skip("there is no OpenGL here")
+    before = owner.view.viewports[0]
+
+    def fail(*args, **kwargs):
+        raise api.DriverError("the context is lost")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(gl_viewport.GlViewport, "context", lambda viewport: LostContext())
+        patch.setattr(api, "load_image", fail)
+        select(owner.view, (1, 1))
+        before.repaint()
+    spin(lambda: owner.view.viewports[0] is not before)
+    spin(100)
+    assert owner.view.uses_opengl
+    assert shows_colours(owner.view)
+    assert (owner.reasons, owner.faults) == ([], [])
 
 
 def test_without_opengl_the_painter_says_why_once(make_view, document, no_opengl, spin):

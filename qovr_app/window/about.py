@@ -1,0 +1,72 @@
+"""What the program says of itself: versions, what to cite, its keys, and what helps to find a fault."""
+
+from __future__ import annotations
+
+import platform
+from collections.abc import Iterable
+from html import escape
+from importlib.metadata import PackageNotFoundError, version
+
+import numpy as np
+from PySide6 import __version__ as pyside_version
+from PySide6.QtCore import qVersion
+from PySide6.QtGui import QAction
+
+from qovr_app.state.intent_text import intent_text
+from qovr_app.state.intents import Intent
+from qovr_app.window.application import NAME
+from qovr_core.version import VERSION
+
+CITATION = """@misc{qovr,
+  author = {{\\"U}st{\\"u}nel, Hakan},
+  title = {Matrix-Driven Quartic Overhauser ({QOVR}) Surfaces Structural Framework: Continuity Limitations,
+           Computer Graphics Algorithms, and Software Implementation},
+  howpublished = {Preprint}
+}
+"""
+"""The paper, for BibTeX."""
+
+
+def versions_text() -> str:
+    """Return the versions of the program and of what it is built on, one a line."""
+    return "\n".join(
+        (
+            f"{NAME} {VERSION}",
+            f"Python {platform.python_version()}, {platform.system()} {platform.release()} {platform.machine()}",
+            f"PySide6 {pyside_version}, Qt {qVersion()}, NumPy {np.__version__}, PyOpenGL {_version('PyOpenGL')}",
+        )
+    )
+
+
+def report_text(session: Iterable[Intent]) -> str:
+    """Return what helps to find a fault: the versions, and what was done, one intent a line."""
+    return "\n".join((versions_text(), "", *map(intent_text, session), ""))
+
+
+def keys_html(actions: Iterable[tuple[str, QAction]]) -> str:
+    """Return the sheet of all commands that have a key, menu by menu.
+
+    Parameters
+    ----------
+    actions : the menu of every command, as "View/Show", and its action
+    """
+    rows: list[str] = []
+    shown = ""
+    for menu, action in actions:
+        keys = action.shortcut().toString(action.shortcut().SequenceFormat.NativeText)
+        title = menu.replace("&", "").split("/")[0]
+        if not keys:
+            continue
+        if title != shown:
+            shown = title
+            rows.append(f"<tr><td colspan=2><h3>{escape(title)}</h3></td></tr>")
+        text = action.iconText() if action.text().startswith(("&Undo", "&Redo")) else action.text()
+        rows.append(f"<tr><td><b>{escape(keys)}</b>&nbsp;&nbsp;</td><td>{escape(text.replace('&', ''))}</td></tr>")
+    return f"<table>{''.join(rows)}</table>"
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "is missing"

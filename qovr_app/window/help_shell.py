@@ -1,0 +1,62 @@
+"""What is asked of the window about itself: help, keys, versions, the palette; and to end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from html import escape
+
+from PySide6.QtCore import QSize
+from PySide6.QtWidgets import QApplication, QWidget
+
+from qovr_app.dialogs.help_dialog import HelpDialog
+from qovr_app.dialogs.sheet import Sheet
+from qovr_app.state import requests
+from qovr_app.window.about import keys_html, versions_text
+from qovr_app.window.actions import Actions
+from qovr_app.window.application import NAME
+from qovr_app.window.palette import Palette
+from qovr_app.window.shell import Answers
+
+_KEYS_SIZE, _ABOUT_SIZE = QSize(460, 640), QSize(460, 240)
+
+
+class HelpShell:
+    """Answers what is asked about the program.
+
+    Parameters
+    ----------
+    actions : gives the window's actions, which are made after the shell
+    """
+
+    def __init__(self, actions: Callable[[], Actions], window: QWidget) -> None:
+        self._actions, self._window = actions, window
+        self._help: HelpDialog | None = None
+        self.answers: Answers = {
+            requests.HelpAsked: self._show_help,
+            requests.KeysAsked: self._show_keys,
+            requests.AboutAsked: self._show_about,
+            requests.PaletteAsked: self._show_palette,
+            requests.QuitAsked: lambda _asked: QApplication.closeAllWindows(),
+        }
+
+    def _show_help(self, _request: requests.HelpAsked) -> None:
+        if self._help is None:
+            self._help = HelpDialog(self._window)
+        self._help.show()
+        self._help.raise_()
+
+    def _show_keys(self, _request: requests.KeysAsked) -> None:
+        actions = self._actions()
+        html = keys_html((command.menu, actions[command.name]) for command in actions.commands)
+        Sheet("keys", "Keys", html, _KEYS_SIZE, self._window).show()
+
+    def _show_about(self, _request: requests.AboutAsked) -> None:
+        first, *others = versions_text().splitlines()
+        lines = "".join(f"<p>{escape(line)}</p>" for line in others)
+        html = f"<h2>{escape(first)}</h2><p>Quartic Overhauser surfaces, exactly. MIT licence.</p>{lines}"
+        Sheet("about", f"About {NAME}", html, _ABOUT_SIZE, self._window).show()
+
+    def _show_palette(self, _request: requests.PaletteAsked) -> None:
+        palette = Palette(self._actions(), self._window)
+        palette.finished.connect(palette.deleteLater)
+        palette.show()

@@ -1,0 +1,131 @@
+"""File, Edit and Help: new documents, copies, the history's list, the palette, and what the program says of itself."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QFileDialog, QListWidget, QMenu, QTextBrowser
+
+from qovr_app.state.intent_text import intent_of
+from qovr_app.state.looking_intents import Selected
+from qovr_core import Formulation
+from qovr_core.files import read_source
+from qovr_core.presets import preset
+
+
+@pytest.mark.parametrize("name", ["paper", "flat", "dome", "saddle", "wave"])
+def test_new_documents_interpolate(editor, name):
+    editor.trigger(f"new_{name}")
+    assert editor.document.formulation == Formulation.INTERPOLATING
+    assert not editor.window.store.state.is_changed
+    assert not editor.window.store.state.is_stale
+    if name == "paper":
+        np.testing.assert_array_equal(editor.document.control_points, preset("fig5").document.control_points)
+
+
+def test_a_copy_is_saved_and_the_document_stays_where_it_is(editor, tmp_path, monkeypatch):
+    editor.dispatch(Selected((2, 2)))
+    editor.trigger("nudge_up")
+    before = editor.window.store.state
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_args, **_more: (str(tmp_path / "copy.qovr"), ""))
+    monkeypatch.setattr("qovr_app.window.document_shell.ask_for_target", lambda *_args: tmp_path / "copy.qovr")
+    editor.trigger("save_copy")
+    assert read_source(str(tmp_path / "copy.qovr")) == editor.document
+    assert editor.window.store.state.file is before.file
+    assert editor.window.store.state.is_changed
+
+
+def test_points_are_copied_and_pasted_as_a_table(editor):
+    editor.dispatch(Selected((2, 2), ((1, 3), (0, 1))))
+    editor.trigger("copy")
+    assert QGuiApplication.clipboard().text() == "1\t0\t0.4\n3\t1\t0.45\n2\t2\t0.5\n"
+    QGuiApplication.clipboard().setText("1\t0\t9\n3\t1\t8\n2\t2\t7\n")
+    editor.trigger("paste")
+    assert [editor.document.control_points[i, j, 2] for i, j in ((0, 1), (1, 3), (2, 2))] == [9, 8, 7]
+    document = editor.document
+    QGuiApplication.clipboard().setText("1\t2\n3\t4\n")
+    editor.trigger("paste")
+    assert editor.document is document
+    assert "3 x 3, a row for each selected point" in editor.message()
+
+
+def test_the_history_is_a_list_to_go_to_a_step(editor):
+    start = editor.document
+    editor.dispatch(Selected((2, 2), ((1, 1),)))
+    for name in ("smooth_points", "flatten_height", "align_x"):
+        editor.trigger(name)
+    menu = editor.find("menu.history", QMenu)
+    menu.aboutToShow.emit()
+    texts = [action.text() for action in menu.actions()]
+    assert texts == ["As opened", "Smooth 2 points", "Flatten 2 points", "Align 2 points"]
+    assert [action.isChecked() for action in menu.actions()] == [False, False, False, True]
+    menu.actions()[0].trigger()
+    editor.settle()
+    assert editor.document == start
+    menu.aboutToShow.emit()
+    menu.actions()[2].trigger()
+    editor.settle()
+    assert editor.action("undo").text() == "&Undo Flatten 2 points"
+    assert editor.action("redo").text() == "&Redo Align 2 points"
+
+
+def palette(editor, text):
+    editor.trigger("palette")
+    QTest.keyClicks(QApplication.focusWidget(), text)
+    editor.settle()
+    found = editor.find("palette.matches", QListWidget)
+    return [found.item(row).text() for row in range(found.count())]
+
+
+def test_the_palette_finds_and_does_a_command_by_the_keyboard_alone(editor):
+    assert palette(editor, "colu symm")[0].startswith("Symmetry across columns")
+    editor.key(Qt.Key.Key_Return)
+    assert editor.window.store.state.tools.symmetry_columns
+    lines = palette(editor, "top")
+    assert lines[0].startswith("Top")
+    editor.key(Qt.Key.Key_Escape)
+    assert editor.window.findChildren(QListWidget, "palette.matches") == []
+
+
+def test_the_palette_says_what_a_command_needs_and_does_it_not(editor):
+    document = editor.document
+    lines = palette(editor, "smooth neighbours")
+    assert len(lines) == 1
+    assert lines[0].endswith("Select a control point first")
+    editor.key(Qt.Key.Key_Return)
+    assert editor.find("palette.matches", QListWidget).isVisible()
+    assert editor.document is document
+    editor.key(Qt.Key.Key_Escape)
+
+
+def test_the_palette_lists_every_other_command(editor):
+    commands = [command for command in editor.window._actions.commands if command.name != "palette"]
+    assert len(palette(editor, "")) == len(commands)
+    first = editor.find("palette.matches", QListWidget)
+    editor.key(Qt.Key.Key_Down)
+    assert first.currentRow() == 1
+    editor.key(Qt.Key.Key_Escape)
+
+
+def test_keys_and_versions_are_shown(editor):
+    editor.trigger("keys")
+    text = editor.find("keys.text", QTextBrowser).toPlainText()
+    for key, command in (("Ctrl+Z", "Undo"), ("Ctrl+M", "Move, scale, rotate"), ("Alt+PgUp", "z + one step")):
+        assert key in text
+        assert command in text
+    editor.trigger("about")
+    assert "PySide6" in editor.find("about.text", QTextBrowser).toPlainText()
+
+
+def test_the_citation_and_a_report_are_copied(editor):
+    editor.trigger("citation")
+    assert QGuiApplication.clipboard().text().startswith("@misc{qovr,")
+    editor.dispatch(Selected((2, 2)))
+    editor.trigger("nudge_up")
+    editor.trigger("report")
+    versions, _, session = QGuiApplication.clipboard().text().partition("\n\n")
+    assert versions.startswith("QOVR Studio")
+    kinds = [type(intent_of(line)).__name__ for line in session.splitlines()]
+    assert kinds[0] == "Configured"
+    assert "PointsNudged" in kinds
