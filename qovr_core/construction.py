@@ -77,7 +77,7 @@ def build_patch(document: Document) -> Patch:
     with np.errstate(all="ignore"):  # what overflows is refused just below, in words
         coefficients = document.formulation.build(*document_arrays(document))
     if not np.isfinite(coefficients).all():
-        raise EvaluationError(_overflow_text(document))
+        raise overflow_error(document)
     along_u, along_v = (_degree(document, direction) for direction in Direction)
     return Patch(coefficients, (along_u, along_v))
 
@@ -91,15 +91,16 @@ def _degree(document: Document, direction: Direction) -> int:
     )
 
 
-def _overflow_text(document: Document) -> str:
-    """Name the knot nearest to an end of (0, 1), which is what makes coordinates overflow."""
+def overflow_error(document: Document) -> EvaluationError:
+    """Return an error that names the knot nearest to an end of (0, 1), which is what makes coordinates overflow."""
     margin, place, value = min(
         (min(value, 1 - value), str(KnotPlace(direction, curve, name)), value)
         for direction in Direction
         for curve, knots in enumerate(knots_of(document, direction))
         for name, value in zip(KNOT_NAMES, knots, strict=True)
+        if document.formulation.is_active(direction, curve)
     )
-    return (
+    return EvaluationError(
         f"the surface has no finite coordinates: {place} = {value!r} is only {margin:.3g} away from an end of (0, 1); "
         "expected knots, and coordinates, of ordinary size"
     )

@@ -118,6 +118,10 @@ def _bar(title: str, name: str, parent: QWidget) -> QToolBar:
     bar.setMovable(False)
     bar.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
     bar.setIconSize(QSize(16, 16))
+    more = bar.findChild(QToolButton, "qt_toolbar_ext_button")
+    if more is not None:  # the style's own icon is dark in the dark theme too; text has the palette's ink
+        more.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
+        more.setText("»")
     return bar
 
 

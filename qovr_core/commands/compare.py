@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import argparse
 import re
+from itertools import count
 from typing import Any
 
 from qovr_core.checks import LARGEST_MAGNITUDE
-from qovr_core.commands.common import DONE, SOURCE_HELP, number, print_json
+from qovr_core.commands.common import DONE, SOURCE_HELP, number, print_json, progress_bar
 from qovr_core.files import read_source
-from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT, compare
+from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT, compare, compared_names
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 
@@ -38,7 +39,11 @@ def add_command(commands: Any) -> None:
 
 
 def _compare(arguments: argparse.Namespace) -> int:
-    comparison = compare(read_source(arguments.source), arguments.point, arguments.weight)
+    document, names, known = read_source(arguments.source), compared_names(), count(1)
+    with progress_bar("compare") as progress:
+        comparison = compare(
+            document, arguments.point, arguments.weight, lambda _name, _measures: progress(next(known) / len(names))
+        )
     if arguments.json:
         print_json(comparison_facts(comparison))
     else:

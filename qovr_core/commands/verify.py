@@ -5,14 +5,16 @@ from __future__ import annotations
 import argparse
 import json
 from collections.abc import Sequence
+from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qovr_core.commands.common import DONE, SOURCE_HELP, finite, path, print_json
+from qovr_core.commands.common import DONE, SOURCE_HELP, finite, path, print_json, progress_bar
 from qovr_core.document import Document
 from qovr_core.files import read_source, write_document
 from qovr_core.files.atomic import made_folder
 from qovr_core.files.qovr_document import document_to_json
+from qovr_core.formulations import FORMULATIONS
 
 if TYPE_CHECKING:
     from qovr_core.laboratory.verify import Finding
@@ -31,10 +33,13 @@ def add_command(commands: Any) -> None:
 
 
 def _verify(arguments: argparse.Namespace) -> int:
+    from qovr_core.laboratory.claims import CLAIMS
     from qovr_core.laboratory.claims_report import findings_markdown, findings_text
     from qovr_core.laboratory.verify import verify
 
-    findings = verify(read_source(arguments.source))
+    document, decided, known = read_source(arguments.source), len(CLAIMS) * len(FORMULATIONS), count(1)
+    with progress_bar("verify") as progress:
+        findings = verify(document, lambda _finding: progress(next(known) / decided))
     if arguments.counterexamples is not None:
         _write_documents(findings, arguments.counterexamples)
     if arguments.json:

@@ -107,9 +107,9 @@ def read_published_numbers(path: Path) -> PublishedNumbers:
     """
     with opened_book(path) as book:
         sheet = _Sheet(book.sheet_name, book.cells(layout.LAST_ROW_OF_A_SHEET))
-        if not len(sheet.raw):
-            place = sheet.place(layout.column_index(layout.RAW) + 1, layout.FIRST_ROW)
-            raise DocumentError(place, "empty", "the raw coordinates of the surface")
+        first = layout.column_index(layout.RAW) + 1, layout.FIRST_ROW
+        if sheet.value(*first) is None:
+            raise DocumentError(sheet.place(*first), "empty", "the raw coordinates of the surface")
         document = _document(sheet, book, len(sheet.raw))
         n, m = document.samples
         return PublishedNumbers(

@@ -40,6 +40,7 @@ def bounding_box(points: Array) -> Array:
     return read_only(np.stack([flat.min(axis=0), flat.max(axis=0)], axis=1))
 
 
+@np.errstate(under="ignore")  # what underflows is nothing
 def align(raw_box: Array, control_box: Array, rounding: npt.ArrayLike = 0.0) -> Alignment:
     r"""Return the transformation that maps one box onto the other axis by axis, eqs. (61)-(65).
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from qovr_core.arrays import Array, Flags, Indices, read_only
+from qovr_core.geometry.descent import Feet, descend
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.rounding import in_own_unit, largest
 
@@ -21,23 +22,16 @@ _BESIDE = 1.5 * _CELL
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
 
+_WINDOW = read_only(np.stack(np.meshgrid(*[np.linspace(-1.0, 1.0, 9)] * 2), axis=-1).reshape(-1, 2))
+_FINER = 4
+"""Where a tangent vanishes, a foot is looked for among 9 x 9 places around it, and again around the best of them in a
+window so many times smaller."""
+
+_WINDOWS = 4
+"""The last of four windows is 1e-4 wide: along a tangent that vanishes that moves a point by about its square."""
+
 _LAST_STEP = 1e-8
 """A step shorter than this part of the surface's size leaves an error of about its square, which is rounding."""
-
-_MOST_STEPS = 60
-"""Newton's method needs about five steps; where the point is a centre of curvature it gains a third at each."""
-
-_MOST_HALVINGS = 40
-"""A step halved more often than this is rounding: the distance cannot be made smaller."""
-
-_LEAST_CURVATURE = 1e-6
-"""The Hessian's smaller eigenvalue is raised to this part of |S_u|^2 + |S_v|^2, where the distance is not convex."""
-
-_LEAST_SCALE = 1e-100
-"""|S_u|^2 + |S_v|^2 below this, of a surface of size 1, is rounding or a point; above it no product overflows."""
-
-_LEAST_OF_LARGEST = 1e-12
-"""And to this part of the larger eigenvalue, below which the smaller one is rounding."""
 
 
 @dataclass(frozen=True)
@@ -82,40 +76,74 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     targets = targets / unit
     seeds = _seed_grid(surface)
     distance, nearest = cKDTree(seeds.points).query(targets, _NEIGHBOURS)
-    best = _descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
+    best = descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
     candidates = _candidates(seeds, targets, distance, nearest, best)
     while candidates.target.size:
         rows, first = np.unique(candidates.target, return_index=True)
         start = seeds.at[candidates.sample[first]]
-        other = _descend(surface, start, targets[rows], seeds.last_step)
+        other = descend(surface, start, targets[rows], seeds.last_step)
         best.improve(rows, other)
         place = np.searchsorted(rows, candidates.target)
         at = seeds.at[candidates.sample]
         is_new = _apart(at, start[place]) & _apart(at, other.at[place])
         candidates = candidates.of(is_new & (candidates.promise < best.distance[candidates.target]))
+    _look_around(surface, seeds, targets, best)
     u, v = best.at.T.copy()
     return Closest(*map(read_only, (u, v, best.feet * unit, best.distance * unit)))
 
 
 @dataclass(frozen=True)
 class _Seeds:
-    """Samples of the surface: parameters (q, 2), points (q, 3), tangents (q, 2, 3), the length of a last step."""
+    """Samples of the surface.
+
+    Parameters
+    ----------
+    at, points, tangents : (q, 2) parameters, (q, 3) and (q, 2, 3)
+    is_singular : (q,) whether some direction's tangent is so short there that it vanishes within a cell or so: the
+        distance may have a minimum to either side of it, and none that its own derivatives at a sample tell
+    last_step : the length of a last step
+    """
 
     at: Array
     points: Array
     tangents: Array
+    is_singular: Flags
     last_step: float
 
 
 def _seed_grid(surface: ParametricSurface) -> _Seeds:
     parameters = np.linspace(0.0, 1.0, _SEED_SAMPLES)
     at = np.stack(np.meshgrid(parameters, parameters, indexing="ij"), axis=-1).reshape(-1, 2)
-    points, su, sv = (
-        surface.derivative(parameters, parameters, *order).reshape(-1, 3) for order in ((0, 0), (1, 0), (0, 1))
+    orders = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
+    points, su, sv, suu, suv, svv = (
+        surface.derivative(parameters, parameters, *order).reshape(-1, 3) for order in orders
     )
     with np.errstate(over="ignore"):  # so large a surface is searched again in other units
         size = float(np.linalg.norm(np.ptp(points, axis=0)))
-    return _Seeds(at, points, np.stack([su, sv], axis=1), _LAST_STEP * size)
+    bends = sum(np.linalg.norm(second, axis=1) for second in (suu, suv, suv, svv))
+    is_singular = _shortest_tangents(su, sv) <= _CELL / 2 * bends
+    return _Seeds(at, points, np.stack([su, sv], axis=1), is_singular, _LAST_STEP * size)
+
+
+def _shortest_tangents(su: Array, sv: Array) -> Array:
+    """Return the length of the shortest tangent S_u cos a + S_v sin a over all directions a, for (k, 3), as (k,)."""
+    uu, uv, vv = (np.einsum("kd,kd->k", a, b) for a, b in ((su, su), (su, sv), (sv, sv)))
+    shortest: Array = np.sqrt(np.maximum((uu + vv) / 2 - np.hypot((uu - vv) / 2, uv), 0.0))
+    return shortest
+
+
+def _look_around(surface: ParametricSurface, seeds: _Seeds, targets: Array, best: Feet) -> None:
+    """Improve the feet beside which a tangent vanishes: there a step of Newton's method may be 0 on a ridge."""
+    u, v = np.rint(best.at * (_SEED_SAMPLES - 1)).astype(np.intp).T
+    rows = np.flatnonzero(seeds.is_singular[u * _SEED_SAMPLES + v])
+    at, width = best.at[rows], _BESIDE
+    for _ in range(_WINDOWS if rows.size else 0):
+        tried = np.clip(at[:, None] + width * _WINDOW, 0.0, 1.0)
+        points = surface.derivative_at(tried[..., 0].ravel(), tried[..., 1].ravel(), 0, 0).reshape(*tried.shape[:2], 3)
+        nearest = np.linalg.norm(points - targets[rows, None], axis=2).argmin(axis=1)
+        at, width = tried[np.arange(len(rows)), nearest], width / _FINER
+    if rows.size:
+        best.improve(rows, descend(surface, at, targets[rows], seeds.last_step))
 
 
 @dataclass(frozen=True)
@@ -133,7 +161,7 @@ class _Candidates:
         return _Candidates(self.target[wanted], self.sample[wanted], self.promise[wanted])
 
 
-def _candidates(seeds: _Seeds, targets: Array, distance: Array, nearest: Indices, best: _Feet) -> _Candidates:
+def _candidates(seeds: _Seeds, targets: Array, distance: Array, nearest: Indices, best: Feet) -> _Candidates:
     """Return the nearest samples that do not lie beside the foot already found, and may lead to a nearer one."""
     target, rank = np.nonzero(_apart(seeds.at[nearest], best.at[:, None]))
     sample, far = nearest[target, rank], distance[target, rank]
@@ -148,96 +176,3 @@ def _apart(a: Array, b: Array) -> Flags:
     """Return which parameters, (..., 2), are so far apart that they need not lead to one foot."""
     apart: Flags = np.abs(a - b).max(axis=-1) > _BESIDE
     return apart
-
-
-@dataclass(frozen=True)
-class _Feet:
-    """Where searches have ended: parameters (k, 2), points (k, 3), distances (k,)."""
-
-    at: Array
-    feet: Array
-    distance: Array
-
-    def improve(self, rows: Indices, other: _Feet) -> None:
-        """Take the others' rows over where they are nearer."""
-        nearer = other.distance < self.distance[rows]
-        for mine, theirs in zip(vars(self).values(), vars(other).values(), strict=True):
-            mine[rows[nearer]] = theirs[nearer]
-
-
-def _descend(surface: ParametricSurface, start: Array, targets: Array, last_step: float) -> _Feet:
-    """Return where the distance from the targets has a local minimum, searched from parameters (k, 2)."""
-    at = start.copy()
-    feet = surface.derivative_at(at[:, 0], at[:, 1], 0, 0).copy()
-    active = np.arange(len(at))
-    for _ in range(_MOST_STEPS):
-        step, length = _newton_steps(surface, at[active], feet[active] - targets[active])
-        last = length <= last_step
-        at[active[last]] += step[last]
-        active, step = active[~last], step[~last]
-        if active.size == 0:
-            break
-        active = active[_backtrack(surface, at, feet, targets, (active, step))]
-    feet = surface.derivative_at(at[:, 0], at[:, 1], 0, 0).copy()
-    return _Feet(at, feet, np.linalg.norm(feet - targets, axis=1))
-
-
-def _newton_steps(surface: ParametricSurface, at: Array, residual: Array) -> tuple[Array, Array]:
-    """Return the steps (k, 2) of Newton's method that stay in the domain, and their lengths in space (k,)."""
-    orders = ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-    su, sv, suu, suv, svv = (surface.derivative_at(at[:, 0], at[:, 1], *order) for order in orders)
-    dot = "kd,kd->k"
-    tangents = np.stack([np.einsum(dot, su, su), np.einsum(dot, sv, sv)], axis=1)
-    gradient = np.stack([np.einsum(dot, residual, tangent) for tangent in (su, sv)], axis=1)
-    diagonal = tangents + np.stack([np.einsum(dot, residual, second) for second in (suu, svv)], axis=1)
-    mixed = np.einsum(dot, su, sv) + np.einsum(dot, residual, suv)
-    scale = tangents.sum(axis=1, keepdims=True)
-    scale = np.maximum(scale, _LEAST_SCALE)
-    step = _bounded_steps(at, gradient / scale, diagonal / scale, mixed / scale[:, 0])
-    return step, (np.abs(step) * np.sqrt(tangents)).sum(axis=1)
-
-
-def _bounded_steps(at: Array, gradient: Array, diagonal: Array, mixed: Array) -> Array:
-    """Return -H^-1 gradient, (k, 2), for a Hessian made positive definite, with no step across the border.
-
-    A parameter that stands on the border and would leave it is held there; the other then moves alone.
-    """
-    held = _leaves(at, -gradient)
-    gradient = np.where(held, 0.0, gradient)
-    mixed = np.where(held.any(axis=1), 0.0, mixed)
-    middle, reach = diagonal.mean(axis=1), np.hypot(np.diff(diagonal, axis=1)[:, 0] / 2, mixed)
-    least = np.maximum(_LEAST_CURVATURE, _LEAST_OF_LARGEST * (np.abs(middle) + reach))
-    diagonal = diagonal + np.maximum(least - (middle - reach), 0.0)[:, None]
-    determinant = diagonal[:, 0] * diagonal[:, 1] - mixed**2
-    step = (mixed[:, None] * gradient[:, ::-1] - diagonal[:, ::-1] * gradient) / determinant[:, None]
-    alone = _leaves(at, step).any(axis=1)
-    step[alone] = (-gradient / diagonal)[alone]
-    return np.clip(at + step, 0.0, 1.0) - at
-
-
-def _leaves(at: Array, direction: Array) -> Flags:
-    """Return which parameters stand on the border of [0, 1] and would move out of it."""
-    leaves: Flags = ((at <= 0.0) & (direction < 0)) | ((at >= 1.0) & (direction > 0))
-    return leaves
-
-
-def _backtrack(
-    surface: ParametricSurface, at: Array, feet: Array, targets: Array, steps: tuple[Indices, Array]
-) -> Flags:
-    """Move some parameters by their steps, halved until the distance falls; return which of them moved."""
-    active, step = steps
-    before = np.linalg.norm(feet[active] - targets[active], axis=1)
-    waiting = np.arange(len(active))
-    for _ in range(_MOST_HALVINGS):
-        rows = active[waiting]
-        trial = np.clip(at[rows] + step[waiting], 0.0, 1.0)
-        reached = surface.derivative_at(trial[:, 0], trial[:, 1], 0, 0)
-        nearer = np.linalg.norm(reached - targets[rows], axis=1) < before[waiting]
-        at[rows[nearer]], feet[rows[nearer]] = trial[nearer], reached[nearer]
-        waiting = waiting[~nearer]
-        if waiting.size == 0:
-            break
-        step[waiting] /= 2
-    moved = np.ones(len(active), dtype=np.bool_)
-    moved[waiting] = False
-    return moved

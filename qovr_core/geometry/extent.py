@@ -20,6 +20,7 @@ _MOST_PIECES = 4096
 """Where the maximum is attained along a whole curve, only the most promising pieces are refined further."""
 
 
+@np.errstate(under="ignore")  # what underflows is nothing
 def bounding_box(coefficients: Array) -> Array:
     """Return the exact box of a tensor-product Bernstein patch over [0, 1] x [0, 1].
 

@@ -59,6 +59,7 @@ def _over_rows(rows: int, row_bytes: int, work: Callable[[list[slice]], _Partial
     return [work(blocks[: cuts[1]]), *(other.result() for other in others)]
 
 
+@np.errstate(under="ignore")  # what underflows is nothing
 def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     """Return the points of a tensor-product polynomial.
 
@@ -85,6 +86,7 @@ def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     return points
 
 
+@np.errstate(under="ignore")  # what underflows is nothing
 def evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     """Return the values of a tensor-product polynomial at k places.
 
@@ -120,6 +122,7 @@ def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     return _box(coefficients, basis_u, basis_v, None)
 
 
+@np.errstate(under="ignore")  # what underflows is nothing
 def _box(coefficients: Array, basis_u: Array, basis_v: Array, points: Array | None) -> Array:
     """Return the box of the points and, where they are wanted, write them into ``points``, (n, m d)."""
     m, d = len(basis_v), coefficients.shape[2]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import textwrap
 from collections.abc import Iterable, Iterator
 from itertools import groupby
+from math import isfinite
 
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.laboratory.claims import Claim
@@ -27,9 +28,13 @@ def findings_text(findings: Iterable[Finding]) -> str:
         lines += ["", f"{claim.name}: {claim.text}, {claim.where}", f"  {of_claim[0].here.what}"]
         for finding in of_claim:
             here = "holds" if finding.here.holds else "fails"
-            numbers = f"{finding.here.value:>10.3g}{finding.largest:>10.3g}"
+            numbers = "".join(f"{value:>10.3g}" if isfinite(value) else f"{'-':>10}" for value in _values(finding))
             lines += [f"  {finding.formulation:<15}{finding.verdict:<9}{here:<7}{numbers}", *_details(finding)]
     return "\n".join(lines)
+
+
+def _values(finding: Finding) -> tuple[float, float]:
+    return finding.here.value, finding.largest
 
 
 def _details(finding: Finding) -> Iterator[str]:

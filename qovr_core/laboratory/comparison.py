@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.rounding import in_own_unit
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
+from qovr_core.laboratory.own_unit import document_in_own_unit
 from qovr_core.laboratory.shape_measures import Joints, bending_energy, joints, largest_distance
 
 DEFAULT_POINT = (2, 2)
@@ -91,7 +92,8 @@ class ComparisonInput:
     Raises
     ------
     DocumentError : there is no such point, or the weight is not positive or beyond 1e12
-    EvaluationError : all control points are in one place, so that no length measures the motion
+    EvaluationError : all control points are in one place, so that no length measures the motion; knots so near 0 or 1
+        that there is no surface to measure
     """
 
     document: Document
@@ -106,7 +108,10 @@ class ComparisonInput:
         if not 0 < self.weight <= LARGEST_MAGNITUDE:
             raise DocumentError("the weight", described(self.weight), f"a positive number up to {LARGEST_MAGNITUDE:g}")
         if self.document.net_size == 0:
-            raise EvaluationError("the control points all lie in one place; expected a net of some size to compare")
+            place = ", ".join(f"{value:.6g}" for value in self.document.control_points[0, 0] + 0.0)
+            raise EvaluationError(
+                f"the control points all lie in one place, ({place}); expected a net of some size to compare"
+            )
 
     @property
     def step(self) -> float:
@@ -145,6 +150,7 @@ def compared_names() -> tuple[str, ...]:
     return (REFERENCE, *COMPARISON_SURFACES)
 
 
+@np.errstate(all="ignore")  # what overflows has no number, and is shown so
 def compare(
     document: Document,
     point: NetIndex = DEFAULT_POINT,
@@ -163,15 +169,31 @@ def compare(
     DocumentError, EvaluationError : as ``ComparisonInput`` does
     """
     of = ComparisonInput(document, point, weight)
+    own_document, unit = document_in_own_unit(document)
+    own = replace(of, document=own_document)
     measures: dict[str, Measures] = {}
-    reference = of.surface(REFERENCE)
+    reference = own.surface(REFERENCE)
     for name in compared_names():
-        measures[name] = measured(of, name, reference)
+        measures[name] = _in_unit(measured(own, name, reference), unit)
         report(name, measures[name])
     return Comparison(of, measures)
 
 
-@np.errstate(all="ignore")  # what overflows has no number, and is shown so
+def _in_unit(own: Measures, unit: float) -> Measures:
+    """Return what is measured in a document's own unit in the unit that it was asked in."""
+    jumps = own.joints and replace(own.joints, curvature=own.joints.curvature / unit)
+    return replace(
+        own,
+        largest_motion=own.largest_motion * unit,
+        edge_motion={edge: motion * unit for edge, motion in own.edge_motion.items()},
+        corner_motion=read_only(own.corner_motion * unit),
+        distance_from_points=own.distance_from_points * unit,
+        joints=jumps,
+        distance_from_qovr=own.distance_from_qovr * unit,
+        distance_of_qovr=own.distance_of_qovr * unit,
+    )
+
+
 def measured(of: ComparisonInput, name: str, reference: ParametricSurface) -> Measures:
     """Measure one surface; ``reference`` is the QOVR surface."""
     surface = of.surface(name)

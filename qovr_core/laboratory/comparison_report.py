@@ -9,6 +9,7 @@ from math import degrees, isfinite
 from typing import Any
 
 from qovr_core.geometry.edges import Edge
+from qovr_core.geometry.rounding import LEAST_NOISE
 from qovr_core.laboratory.comparison import REFERENCE, SHARES, Comparison, ComparisonInput, Measures
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES
 from qovr_core.number_texts import percent_text
@@ -62,8 +63,8 @@ class Row:
             return NO_NUMBER
         if self.unit is Unit.SHARE:
             return f"{100 * value:.1f} %"
-        rounding = {Unit.LENGTH: net_size, Unit.CURVATURE: 1 / net_size, Unit.DEGREES: degrees(1)}.get(self.unit, 1.0)
-        return "0" if abs(value) <= _ROUNDING * rounding else f"{value:.4g}"
+        sizes = {Unit.LENGTH: net_size, Unit.CURVATURE: 1 / max(net_size, LEAST_NOISE), Unit.DEGREES: degrees(1)}
+        return "0" if abs(value) <= _ROUNDING * sizes.get(self.unit, 1.0) else f"{value:.4g}"
 
 
 def _share_row(index: int, share: float) -> Row:
@@ -193,13 +194,13 @@ def _facts(measures: Measures) -> dict[str, Any]:
         "largest_displacement": _finite(measures.largest_motion),
         "area_moved": {f"{share:g}": _finite(part) for share, part in zip(SHARES, measures.shares, strict=True)},
         "edge_motion": {str(edge): _finite(motion) for edge, motion in measures.edge_motion.items()},
-        "corner_motion": measures.corner_motion.tolist(),
-        "distance_from_inner_points": measures.distance_from_points,
-        "tangent_jump_degrees": None if joints is None else joints.tangent,
-        "curvature_jump": None if joints is None else joints.curvature,
+        "corner_motion": [[_finite(motion) for motion in side] for side in measures.corner_motion.tolist()],
+        "distance_from_inner_points": _finite(measures.distance_from_points),
+        "tangent_jump_degrees": None if joints is None else _finite(joints.tangent),
+        "curvature_jump": None if joints is None else _finite(joints.curvature),
         "bending_energy": _finite(measures.bending_energy),
-        "distance_from_qovr": measures.distance_from_qovr,
-        "distance_of_qovr": measures.distance_of_qovr,
+        "distance_from_qovr": _finite(measures.distance_from_qovr),
+        "distance_of_qovr": _finite(measures.distance_of_qovr),
     }
 
 

@@ -120,6 +120,7 @@ def default_amount(document: Document, place: KnotPlace) -> float:
     return DEFAULT_PART if value_at(document, place) + DEFAULT_PART < 1 else -DEFAULT_PART
 
 
+@np.errstate(under="ignore")  # what underflows is nothing
 def influence(document: Document, change: Change, layer: Layer) -> Influence:
     """Return what a change of one point or knot does to a surface.
 

@@ -24,6 +24,9 @@ from qovr_core.laboratory.trials import SAMPLES
 KNOT_STEP = 0.1
 """Each knot is moved this far up and down, and half the way to 0 or 1 where there is not so much room."""
 
+_LARGEST = 1e120
+"""A moved knot so near 0 or 1 that coordinates go beyond this gives no surface to compare; squares stay numbers."""
+
 _REMEMBERED = 16
 """Both claims ask for the same moves: those of one document and its examples, under three formulations."""
 
@@ -53,7 +56,8 @@ class EdgeMotion:
 
 @dataclass(frozen=True, eq=False)
 class KnotMoves:
-    """What the moves of single knots do to a surface, by move: two of each knot, 80 of ten curves.
+    """What the moves of single knots do to a surface, by move: two of each knot, 80 of ten curves, but for those that
+    lead to no finite surface.
 
     Parameters
     ----------
@@ -147,6 +151,8 @@ def knot_moves(document: Document) -> KnotMoves:
     net, all_knots = document.control_points, np.split(knots, [len(document.row_knots)], axis=1)
     before = build_patch(document).coefficients
     moved = document.formulation.build(net, *all_knots)
+    has_surface = np.abs(moved).max(axis=(1, 2, 3)) <= _LARGEST
+    moved, curve, all_knots = moved[has_surface], curve[has_surface], [family[has_surface] for family in all_knots]
     patches = np.concatenate([before[None], moved])
     rounding = np.concatenate([surface_rounding(document)[None], document.formulation.rounding(net, *all_knots)])
     boxes = _sampled_boxes(patches)

@@ -10,10 +10,9 @@ import numpy as np
 from qovr_core.arrays import Array
 from qovr_core.construction import build_patch, surface_rounding
 from qovr_core.document import Document
-from qovr_core.errors import EvaluationError
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.patch import PATCH_DEGREE
-from qovr_core.geometry.rounding import largest, part_of
+from qovr_core.geometry.rounding import part_of
 
 CONTINUATION_SEED = 7
 """The two further columns (rows) of the larger net are drawn from this seed."""
@@ -23,9 +22,6 @@ _SHIFT = 2
 
 _DRAWN = 0.25
 """Drawn points leave the affine continuation by up to this part of the net's longest side."""
-
-_LARGEST_TO_CONTINUE = 2.5e11
-"""A document holds coordinates up to 1e12, and its continuation is less than four times as large."""
 
 _ORDERS = 3
 """Position, first and second cross derivative."""
@@ -111,14 +107,9 @@ def joints(document: Document, continuation: Continuation) -> tuple[Joint, Joint
 
     Raises
     ------
-    EvaluationError : the net is so large that what goes on from it would be no document
+    DocumentError : the net is so large that what goes on from it, up to four times as far, would be no document
     """
     net = document.control_points
-    if largest(net) > _LARGEST_TO_CONTINUE:
-        raise EvaluationError(
-            f"the net reaches out to {largest(net):.3g}; "
-            f"expected at most {_LARGEST_TO_CONTINUE:g}, so that a neighbour fits beside it"
-        )
     columns = document.column_knots[_SHIFT:] + document.column_knots[-_SHIFT:]
     rows = document.row_knots[_SHIFT:] + document.row_knots[-_SHIFT:]
     across_u = _continued(net.swapaxes(0, 1), continuation).swapaxes(0, 1)

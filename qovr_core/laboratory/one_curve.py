@@ -67,7 +67,12 @@ class OneCurve:
         with np.errstate(all="ignore"):
             is_finite = np.isfinite(self._coefficients).all() and np.isfinite(self._parabolas).all()
         if not is_finite:
-            raise EvaluationError(f"{self.name} has no finite coordinates; expected knots farther from 0 and 1")
+            value, letter = min(
+                zip(self.knots, self.direction.knot_letters, strict=True), key=lambda k: min(k[0], 1 - k[0])
+            )
+            raise EvaluationError(
+                f"{self.name} has no finite coordinates: its {letter} is {value!r}; expected knots farther from 0 and 1"
+            )
 
     @property
     def name(self) -> str:
@@ -79,6 +84,7 @@ class OneCurve:
         """The letter of its parameter, u or v."""
         return self.direction.parameter
 
+    @np.errstate(under="ignore")
     def at(self, u: npt.ArrayLike) -> Array:
         """Return the points of the curve at parameters (n,), as (n, 3)."""
         return read_only(bernstein.basis(CURVE_DEGREE, u) @ self._coefficients)

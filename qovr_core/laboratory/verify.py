@@ -9,11 +9,18 @@ from functools import cache
 
 import numpy as np
 
+from qovr_core.construction import build_patch, overflow_error
 from qovr_core.document import Document
 from qovr_core.formulations import FORMULATIONS, Formulation
+from qovr_core.geometry.rounding import largest
 from qovr_core.laboratory.claims import CLAIMS, Claim
 from qovr_core.laboratory.measurement import Measurement
+from qovr_core.laboratory.own_unit import document_in_own_unit, in_unit
 from qovr_core.laboratory.trials import random_documents
+
+_LARGEST = 1e90
+"""Coordinates beyond this, of a net of size 1, come of knots that no longer shape a curve. What claims measure is made
+of up to three of them, and no verdict is to hang on what has overflown."""
 
 
 class Verdict(StrEnum):
@@ -54,8 +61,11 @@ class Finding:
 
 @dataclass(frozen=True)
 class _Trial:
+    """A document, what a claim comes to on it, and the document as it is shown, in the unit that was asked about."""
+
     document: Document
     measured: Measurement
+    shown: Document
 
 
 def verify(document: Document, report: Callable[[Finding], object] = lambda _finding: None) -> tuple[Finding, ...]:
@@ -83,6 +93,7 @@ def verify(document: Document, report: Callable[[Finding], object] = lambda _fin
     return tuple(findings)
 
 
+@np.errstate(all="ignore")  # what overflows is not finite, and no claim holds there; what underflows is nothing
 def decide(claim: Claim, document: Document, formulation: Formulation) -> Finding:
     """Decide a claim for a formulation, and measure it on a document.
 
@@ -93,19 +104,20 @@ def decide(claim: Claim, document: Document, formulation: Formulation) -> Findin
 
     Raises
     ------
-    EvaluationError : the document has no finite surface
+    EvaluationError : the document has no finite surface, or none that can be measured
     """
-    here = replace(document, formulation=formulation)
-    trials = [_Trial(here, _measured(claim, here))]
+    shown = replace(document, formulation=formulation)
+    here, unit = document_in_own_unit(shown)
+    if largest(build_patch(here).coefficients) > _LARGEST:
+        raise overflow_error(shown)
+    measured = claim.measure(here)
+    if measured.example is not None:
+        measured = replace(measured, example=shown if measured.example is here else in_unit(measured.example, unit))
+    trials = [_Trial(here, measured, shown)]
     if claim.is_general:
-        trials += [_Trial(example, _measured(claim, example)) for example in claim.examples(here)]
+        trials += [_Trial(made, claim.measure(made), in_unit(made, unit)) for made in claim.examples(here)]
         trials += _fixed_trials(claim, formulation)
     return _finding(claim, formulation, trials)
-
-
-def _measured(claim: Claim, document: Document) -> Measurement:
-    with np.errstate(all="ignore"):  # what overflows is not finite, and no claim holds there
-        return claim.measure(document)
 
 
 def _fixed_trials(claim: Claim, formulation: Formulation) -> tuple[_Trial, ...]:
@@ -119,7 +131,7 @@ def _fixed_trials(claim: Claim, formulation: Formulation) -> tuple[_Trial, ...]:
 
 def _made_trials(claim: Claim, formulation: Formulation) -> tuple[_Trial, ...]:
     random = random_documents(formulation)
-    return tuple(_Trial(made, _measured(claim, made)) for made in (*random, *claim.examples(random[0])))
+    return tuple(_Trial(made, claim.measure(made), made) for made in (*random, *claim.examples(random[0])))
 
 
 _remembered_trials = cache(_made_trials)
@@ -136,7 +148,7 @@ def _finding(claim: Claim, formulation: Formulation, trials: list[_Trial]) -> Fi
         condition=condition,
         here=trials[0].measured,
         largest=max(trial.measured.value for trial in trials),
-        counterexample=failing[0].document if verdict is Verdict.FALSE else None,
+        counterexample=failing[0].shown if verdict is Verdict.FALSE else None,
     )
 
 

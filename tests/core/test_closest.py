@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
-from qovr_core import FORMULATIONS, Evaluation, Layer, Patch
+from qovr_core import FORMULATIONS, Document, Evaluation, Layer, Patch, build_patch
 from qovr_core.geometry.closest import closest_points
-from support.documents import random_document, size
+from support.documents import random_document, random_net, size
 from support.shapes import CLOSED, COLLAPSED, special
 from support.surfaces import SphericalPatch
 
@@ -125,3 +126,28 @@ def test_points_of_another_shape_are_refused(shape):
 
 def test_no_points_have_no_feet():
     assert closest_points(box_patch(1, 1), np.zeros((0, 3))).distance.shape == (0,)
+
+
+def folded_back(kind):
+    """Return a net on which a tangent vanishes: along one edge, or along two and in the middle."""
+    if kind == "edge":
+        net = random_net(0)
+        net[:, 0] = net[:, 2]
+        return net
+    if kind == "zigzag":
+        return random_net(1)[:, [0, 1, 0, 1, 0]]
+    i, j = np.mgrid[:5, :5].astype(float)
+    side = np.where(j % 2, 1.0, -1.0)
+    return np.stack([side * (1 + 0.3 * i), side / 2, i], axis=-1)
+
+
+@pytest.mark.parametrize("kind", ["edge", "zigzag", "ruled"])
+@pytest.mark.parametrize("reach", [1e-3, 1e-2, 0.1])
+def test_no_point_of_a_dense_grid_is_nearer_where_a_tangent_vanishes(kind, reach):
+    patch = build_patch(Document(folded_back(kind), formulation="interpolating"))
+    rng = np.random.default_rng(7)
+    on_surface = patch.points(np.concatenate([[0.0, 0.5, 1.0], rng.random(27)]), rng.random(30)).reshape(-1, 3)
+    targets = on_surface + reach * rng.normal(size=on_surface.shape)
+    dense = np.linspace(0, 1, 801)
+    nearest, _ = cKDTree(patch.points(dense, dense).reshape(-1, 3)).query(targets)
+    assert (closest_points(patch, targets).distance <= nearest + 1e-9).all()

@@ -103,6 +103,6 @@ def test_the_readme_holds_the_table_that_the_program_prints():
 
 def test_what_cannot_be_done_is_refused_in_one_line(tmp_path):
     (tmp_path / "file").write_text("")
-    assert "cannot be made" in refused(qovr("verify", "paper:fig5", "--counterexamples", "file", cwd=tmp_path))
+    assert "expected a folder" in refused(qovr("verify", "paper:fig5", "--counterexamples", "file", cwd=tmp_path))
     assert "fig9" in refused(qovr("verify", "paper:fig9"))
     assert "not allowed with" in refused(qovr("verify", "paper:fig5", "--json", "--markdown"))

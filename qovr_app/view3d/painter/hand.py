@@ -23,7 +23,7 @@ _ARROW_WIDTH, _USED_WIDTH = 2.2, 3.6
 _HEAD = 11.0
 _SQUARE_OPACITY, _USED_OPACITY = 0.35, 0.8
 
-_GUIDE_REACH = 4.0
+_GUIDE_REACH = 1.6
 """Unit lengths of a guide line both ways: beyond the axes box wherever it begins."""
 
 _GHOST_RADIUS = 5.0

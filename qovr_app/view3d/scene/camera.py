@@ -136,9 +136,12 @@ class Camera:
         near, far = self.unproject(np.array([[x, y, -1.0], [x, y, 1.0]]), size)
         return near, (far - near) / np.linalg.norm(far - near)
 
-    def pixel_length(self, size: Size) -> float:
-        """Return the unit lengths that one logical pixel covers at the centre's depth."""
-        return self.span / min(size)
+    def pixel_length(self, size: Size, at: Array | None = None) -> float:
+        """Return the unit lengths that one logical pixel covers at a point's depth, (3,), or at the centre's."""
+        depth = 1.0
+        if at is not None and self.perspective:
+            depth -= float((at - np.array(self.centre)) @ self.axes[2]) / self.distance
+        return depth * self.span / min(size)
 
     def orbited(self, azimuth: float, elevation: float, about: Array | None = None) -> Camera:
         """Return the camera turned by degrees; it stops at the poles, so that up stays up.

@@ -9,7 +9,7 @@ import numpy as np
 
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.grip import Freedom, across, along
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, read_only
 
 _LENGTH = 72.0
 """Logical pixels of an arrow that lies across the line of sight."""
@@ -56,15 +56,12 @@ class Gizmo:
 
 
 def gizmo_at(point: Array, camera: Camera, size: Size) -> Gizmo | None:
-    """Return the gizmo at a point (3,) of the unit space; None where the point is behind the eye."""
-    seen = camera.project(point[None], size)[0]
-    if not np.isfinite(seen).all():
+    """Return the gizmo at a point (3,) of the unit space; None where a part of it is behind the eye."""
+    length = _LENGTH * camera.pixel_length(size, point)
+    places = camera.project(point + length * _SHAPE, size)[:, :2]
+    if not np.isfinite(places).all():
         return None
-    aside = camera.unproject((seen + np.array([1.0, 0.0, 0.0]))[None], size)[0]
-    length = _LENGTH * float(np.linalg.norm(aside - point))
-    axes = length * np.eye(3)
-    places = camera.project(np.concatenate([point + axes, _squares(point, axes)]), size)[:, :2]
-    origin, tips, corners = seen[:2], places[:3], places[3:].reshape(3, 4, 2)
+    origin, tips, corners = places[0], places[1:4], places[4:].reshape(3, 4, 2)
     arrows = {}
     for axis, tip in enumerate(tips):
         seen_length = math.hypot(*(tip - origin))
@@ -74,14 +71,17 @@ def gizmo_at(point: Array, camera: Camera, size: Size) -> Gizmo | None:
     return Gizmo(arrows, squares)
 
 
-def _squares(point: Array, axes: Array) -> Array:
-    """Return the corners (12, 3) of the three squares."""
-    corners = [
-        point + first * axes[across(axis).axes[0]] + second * axes[across(axis).axes[1]]
+def _shape() -> Array:
+    """Return the origin, the three tips and the corners of the three squares, (16, 3), in lengths of an arrow."""
+    squares = [
+        first * np.eye(3)[across(axis).axes[0]] + second * np.eye(3)[across(axis).axes[1]]
         for axis in range(3)
         for first, second in ((_NEAR, _NEAR), (_FAR, _NEAR), (_FAR, _FAR), (_NEAR, _FAR))
     ]
-    return np.array(corners)
+    return read_only(np.concatenate([np.zeros((1, 3)), np.eye(3), squares]))
+
+
+_SHAPE = _shape()
 
 
 def _distance(at: Array, ends: Array) -> float:
@@ -92,8 +92,8 @@ def _distance(at: Array, ends: Array) -> float:
 
 def _area(corners: Array) -> float:
     """Return the signed area of a polygon (k, 2)."""
-    after = np.roll(corners, -1, axis=0)
-    return float((corners[:, 0] * after[:, 1] - corners[:, 1] * after[:, 0]).sum() / 2)
+    x, y = corners.T.tolist()
+    return float(sum(x[k - 1] * y[k] - y[k - 1] * x[k] for k in range(len(x)))) / 2
 
 
 def _holds(corners: Array, at: Array) -> bool:

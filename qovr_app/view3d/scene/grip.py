@@ -109,8 +109,7 @@ class Grip:
     @property
     def _pixel(self) -> float:
         """The unit lengths that a pixel covers at the point's depth."""
-        side = self._in_view(1.0, 0.0)
-        return float(np.linalg.norm(side))
+        return self.camera.pixel_length(self.size, self._start)
 
     def _in_view(self, dx: float, dy: float) -> Array:
         seen = self.camera.project(self._start[None], self.size)[0]

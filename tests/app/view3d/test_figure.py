@@ -1,6 +1,7 @@
 """Figures: size, ground, proportions, vectors, and files that are whole or not there."""
 
 import re
+import zlib
 
 import numpy as np
 import pytest
@@ -110,6 +111,27 @@ def test_vectors_keep_text_as_text_and_carry_a_title(view, tmp_path):
     assert b"/DCTDecode" not in data
     assert b"/Type3" not in data
     assert "QOVR surface".encode("utf-16-be") in data or b"(QOVR surface)" in data
+
+
+def test_a_pdf_draws_only_hidden_discs_dim(view, tmp_path):
+    """A PDF of Qt's takes what follows for translucent too where an opacity changes alone."""
+    choose(view, layer=LayerChoice.TRANSFORMED)  # which lies in its net and hides some of it
+    view.save_figure(tmp_path / "a.pdf", FigureOptions(160, 120, 100))
+    data = (tmp_path / "a.pdf").read_bytes()
+    page = max((unpacked(part) for part in data.split(b"stream\n")[1::2]), key=lambda text: text.count(b" gs\n"))
+    opacity, discs = b"", []
+    for state, fill in re.findall(rb"/(\w+) gs|\n(B\*?)\n", page):
+        opacity = state or opacity
+        discs += [opacity] if fill else []
+    assert set(discs) == {b"GSa"}  # filled and rimmed at once, which translucent ones are not
+    assert len(discs) >= 15
+
+
+def unpacked(stream):
+    try:
+        return zlib.decompressobj().decompress(stream)
+    except zlib.error:
+        return b""
 
 
 def test_a_figure_is_the_same_whatever_the_day(view, tmp_path, monkeypatch):
