@@ -43,8 +43,8 @@ def local_path(source: str) -> str:
 
     Examples
     --------
-    >>> local_path("file:///work/a%20b&c%23.qovr"), local_path("a%20b.qovr")
-    ('/work/a b&c#.qovr', 'a%20b.qovr')
+    >>> local_path("file:///home/me/a%20b&c%23.qovr"), local_path("a%20b.qovr")
+    ('/home/me/a b&c#.qovr', 'a%20b.qovr')
     """
     found = _ADDRESS.match(source)
     if found is None or os.path.lexists(source):
