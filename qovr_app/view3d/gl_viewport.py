@@ -155,6 +155,7 @@ class GlViewport(QOpenGLWidget):
 
     def _paint_frame(self, picture: Picture) -> None:
         size, ratio = self.logical_size, self.devicePixelRatioF()
+        self._surface.load(picture)
         backdrop, key = None, (*backdrop_key(picture, size), ratio)
         if key != self._backdrop_key:
             backdrop, self._backdrop_key = blank_image(size, ratio), key

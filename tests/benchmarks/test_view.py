@@ -22,7 +22,9 @@ GOALS = {101: 4, 401: 40, 1001: 200}
 STOCK_EDITS = {101: 15, 401: 5, 1001: 2}
 EDITS = 60
 MANY_EDITS = 20_000
-GROWTH_FROM = 1_000
+GROWTH_FROM = 2_500
+"""Edits after which the history is full, and gives its oldest step up at every new one."""
+
 OPENINGS = 200
 
 
@@ -72,6 +74,12 @@ class Bench:
         from qovr_app.state.intents import PointsMoved
 
         self.store.dispatch(PointsMoved(((2, 2),), ((0.0, 0.0, 0.1 * float(np.sin(k + 1))),), gesture=1))
+
+    def step(self, k):
+        """Edit as a gesture of its own, up and down by turns."""
+        from qovr_app.state.intents import PointsMoved
+
+        self.store.dispatch(PointsMoved(((2, 2),), ((0.0, 0.0, 0.001 * (-1) ** k),), gesture=2 + k))
 
     def orbit(self, _k):
         camera = self.view.camera
@@ -273,11 +281,11 @@ def test_memory_over_many_edits_and_openings(bench, row):
     from OpenGL.GL import GL_NO_ERROR, glGetError
 
     for k in range(GROWTH_FROM):
-        bench.frame(bench.edit, k)
+        bench.frame(bench.step, k)
     gc.collect()
     before, references = resident_megabytes(), sys.getrefcount(None)
-    for k in range(GROWTH_FROM, MANY_EDITS):
-        bench.frame(bench.edit, k)
+    for k in range(GROWTH_FROM, GROWTH_FROM + MANY_EDITS):
+        bench.frame(bench.step, k)
     for k in range(OPENINGS):
         name = ("fig6b", "fig8")[k % 2]
         bench.frame(lambda _, name=name: bench.dispatch("Opened", preset(name).document, name), k)

@@ -46,6 +46,12 @@ class SurfaceItem:
             self._buffers.release()
         self.forget()
 
+    def load(self, picture: Picture) -> None:
+        """Bring what is new of a picture into the buffers."""
+        if picture.settings.surface:
+            self._bind(picture)
+            api.bind_vertex_array(0)
+
     def paint(self, picture: Picture, matrix: Array, pixel_ratio: float) -> None:
         """Draw the surface of a picture.
 
@@ -56,9 +62,7 @@ class SurfaceItem:
         """
         if not picture.settings.surface:
             return
-        if self._buffers is None:
-            self._buffers = SurfaceBuffers()
-        self._buffers.bind(picture)
+        self._bind(picture)
         program = self._program(picture)
         program.bind()
         _set_view(program, picture, matrix)
@@ -67,6 +71,11 @@ class SurfaceItem:
         _draw(picture.settings.style, picture.counts)
         program.release()
         api.bind_vertex_array(0)
+
+    def _bind(self, picture: Picture) -> None:
+        if self._buffers is None:
+            self._buffers = SurfaceBuffers()
+        self._buffers.bind(picture)
 
     def _program(self, picture: Picture) -> QOpenGLShaderProgram:
         settings = picture.settings
