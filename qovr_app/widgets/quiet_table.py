@@ -57,6 +57,11 @@ class QuietTable(QTableWidget):
     def style_headers(self) -> None:
         """Style the headers in the theme in force; what a style sheet has drawn once keeps its colours."""
 
+    def event(self, event: QEvent) -> bool:
+        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent) and _is_own(event):
+            event.accept()  # a table that has the keyboard is what is meant, not the window's commands
+        return super().event(event)
+
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.matches(QKeySequence.StandardKey.Copy):
             self.copy()
@@ -67,3 +72,7 @@ class QuietTable(QTableWidget):
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
             self.style_headers()
+
+
+def _is_own(event: QKeyEvent) -> bool:
+    return any(event.matches(key) for key in (QKeySequence.StandardKey.Copy, QKeySequence.StandardKey.SelectAll))

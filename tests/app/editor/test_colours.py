@@ -82,6 +82,8 @@ def test_pinning_shows_the_distance_from_what_was_pinned(editor):
     assert colouring(editor).limits[1] > 0.01
     assert colouring(editor).title == "Distance from fig5, published"
     editor.trigger("undo")
+    assert colouring(editor).limits[1] > 0.01  # a colour means the same after an edit as before it
+    editor.trigger("fit")
     assert colouring(editor).limits[1] < 1e-9
     editor.choose("surface.formulation", "interpolating")
     assert colouring(editor).limits[1] > 0.01

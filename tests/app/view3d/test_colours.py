@@ -212,6 +212,7 @@ def test_a_pinned_reference_stays_what_it_was(make_view, document, reference):
     change(owner.view, reference=reference, reference_name="pinned")
     before = owner.view.picture().colouring.limits
     owner.show(set_point(document, 2, 2, (2.0, 2.0, 0.6)))  # becomes what was pinned
+    owner.view.fit(animated=False)
     assert owner.view.picture().colouring.limits[1] < 1e-9
     owner.show(document)
     assert owner.view.picture().colouring.limits == pytest.approx(before, rel=1e-3)
