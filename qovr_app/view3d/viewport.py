@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Protocol
 
-from PySide6.QtCore import SignalInstance
+from PySide6.QtCore import QPoint, QPointF, SignalInstance
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.work.gui_calls import InGui
+from qovr_core import QovrError
 from qovr_core.files.progress import Progress
 
 
@@ -45,3 +46,17 @@ class Viewport(Protocol):
 
         Any thread may ask, with ``in_gui`` for what only the GUI thread can do.
         """
+
+
+def screen_position(viewport: Viewport, picture: Picture | None, i: int, j: int) -> QPoint:
+    """Return where control point (i, j) of a picture stands, in global logical pixels.
+
+    Raises
+    ------
+    IndexError : there is no such point
+    QovrError : there is no picture
+    """
+    if picture is None:
+        raise QovrError("no point stands in the view: there is no surface; expected a document that has one")
+    x, y, _ = picture.camera.project(picture.scene.points[i, j], viewport.logical_size)
+    return viewport.widget.mapToGlobal(QPointF(float(x), float(y))).toPoint()

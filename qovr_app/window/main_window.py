@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QByteArray, QEvent, QSize, QTimer
+from PySide6.QtCore import QByteArray, QEvent, QPoint, QSize, QTimer
 from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragMoveEvent, QDropEvent
 from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
 
@@ -14,6 +14,7 @@ from qovr_app.state.intents import Configured, Opened
 from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.store import Store
 from qovr_app.style.palette import set_theme, theme_in_force
+from qovr_app.view3d.viewport import screen_position
 from qovr_app.widgets.plain import title_text
 from qovr_app.window.actions import Actions
 from qovr_app.window.application import NAME
@@ -111,6 +112,15 @@ class MainWindow(QMainWindow):
     def view(self) -> View3D:
         """The 3D view; asking for it brings it, if it has not come by itself yet."""
         return self.parts.view_frame.view
+
+    def screen_position(self, i: int, j: int) -> QPoint:
+        """Return where control point (i, j) stands in the view, in global logical pixels, so that others can aim at it.
+
+        Raises
+        ------
+        IndexError, QovrError : there is no such point, or no surface
+        """
+        return screen_position(self.view.viewports[0], self.view.picture(), i, j)
 
     def protect(self, recovery: RecoveryStore) -> None:
         """Keep what is not saved where a crash does not reach it, and offer what an earlier run left there."""

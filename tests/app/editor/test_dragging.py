@@ -14,10 +14,8 @@ LEFT = Qt.MouseButton.LeftButton
 
 def place_of(editor, i, j):
     """Return where a control point is seen, in the viewport's pixels."""
-    picture, viewport = editor.window.view.picture(), editor.window.view.viewports[0]
-    spot = picture.camera.project(picture.scene.points[i, j][None], viewport.logical_size)
-    x, y = np.asarray(spot).reshape(-1)[:2]
-    return viewport, QPoint(round(x), round(y))
+    viewport = editor.window.view.viewports[0]
+    return viewport, viewport.mapFromGlobal(editor.window.screen_position(i, j))
 
 
 @pytest.fixture
