@@ -37,6 +37,9 @@ _DECIMAL_DIGITS = 28
 _PLACES_KEPT = 10
 """Decimal places below the step that a stepped number keeps; what is smaller came from rounding."""
 
+_SUMMED_DIGITS = 15
+"""Digits of a sum after the first one of its larger part; a double has no more that count."""
+
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
@@ -163,6 +166,21 @@ def stepped(value: float, count: float, step: float) -> float:
     places = max(_PLACES_KEPT - _power(step), 0)
     kept = round(exact, places) if exact.adjusted() + places < _DECIMAL_DIGITS else exact
     return float(kept) + 0.0  # never minus zero
+
+
+def summed(value: float, amount: float) -> float:
+    """Return a sum whose decimals are those of its parts: 2 and 1.07 are 3.07, where the binary sum has more digits.
+
+    Examples
+    --------
+    >>> summed(2.0, 1.07), summed(0.5, -0.499), summed(1e12, 0.25)
+    (3.07, 0.001, 1000000000000.25)
+    """
+    if value == 0 or amount == 0:
+        return float(value) + float(amount) + 0.0
+    parts = Decimal(repr(float(value))), Decimal(repr(float(amount)))
+    last = max(part.adjusted() for part in parts) - _SUMMED_DIGITS
+    return float(Context(prec=_DECIMAL_DIGITS).quantize(sum(parts), Decimal(1).scaleb(last))) + 0.0
 
 
 def true_minus(text: str) -> str:

@@ -16,6 +16,7 @@ from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 from qovr_core.geometry.knots import Direction
 from qovr_core.net_moves import mirrored, softened
+from qovr_core.number_texts import summed
 from qovr_core.symmetry import MIRRORS, make_symmetric
 
 NUDGE_SECONDS = 1.0
@@ -82,7 +83,9 @@ def _moved(
     for direction in tools.symmetries:
         moves = mirrored(moves, MIRRORS[direction], indices[0])
     field, _ = softened(moves, tools.soft_radius) if is_soft else moves
-    result: Array = net + field
+    result = net.copy()
+    for place in zip(*np.nonzero(field), strict=True):
+        result[place] = summed(net[place], field[place])
     return result
 
 

@@ -19,6 +19,7 @@ from qovr_core.number_texts import (
     short_text,
     significant_text,
     stepped,
+    summed,
     tick_texts,
 )
 
@@ -172,3 +173,16 @@ def test_what_is_stepped_is_a_round_decimal(value, count, step, result):
     after = stepped(value, count, step)
     assert after == result
     assert math.copysign(1.0, after) == 1.0 or after < 0
+
+
+@pytest.mark.parametrize(
+    ("value", "amount", "total"),
+    [(2.0, 1.07, 3.07), (0.5, -0.499, 0.001), (1e12, 0.25, 1000000000000.25), (0.0, 5e-324, 5e-324), (-0.7, 0.7, 0.0)],
+)
+def test_a_sum_has_the_decimals_of_its_parts(value, amount, total):
+    assert summed(value, amount) == summed(amount, value) == total
+
+
+@given(st.floats(-1e12, 1e12), st.floats(-1e12, 1e12))
+def test_a_sum_is_the_binary_one_to_rounding(value, amount):
+    assert abs(summed(value, amount) - (value + amount)) <= 1e-15 * max(abs(value), abs(amount))
