@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
 from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import QuietTable
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS, Claim
@@ -97,6 +98,14 @@ class ClaimsTable(QuietTable):
         column = self.currentColumn() or 1 + self._formulations.index(self._of_document)
         finding = self.item(self.currentRow(), column).data(_FINDING)
         return finding if isinstance(finding, Finding) else None
+
+    def rows_to_copy(self) -> Rows:
+        """Return all claims and what was found, under the names of the formulations."""
+        cells = [[self.item(row, column) for column in range(self.columnCount())] for row in range(self.rowCount())]
+        return [
+            ["claim", *map(str, self._formulations)],
+            *(["; ".join(filter(None, map(item.data, (_FIRST, _SECOND)))) for item in row] for row in cells),
+        ]
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):

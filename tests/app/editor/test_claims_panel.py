@@ -2,6 +2,7 @@
 
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowser
 
 from qovr_app.laboratory.claims_panel import ClaimsPanel
@@ -93,6 +94,11 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
         assert lines[0] == f"{MARKS[finding.verdict]} {finding.verdict}"
         assert lines[1].startswith("here holds" if finding.here.holds else "here fails")
     assert state(lab) == "Every claim is decided"
+    QTest.keyClick(table(lab), Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    head, *lines = (line.split("\t") for line in QApplication.clipboard().text().splitlines())
+    assert head == ["claim", *map(str, FORMULATIONS)]
+    assert len(lines) == len(CLAIMS)
+    assert all(verdict.split()[1].rstrip(";") in {"true", "false"} for line in lines for verdict in line[1:])
 
 
 def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, spin, found):
