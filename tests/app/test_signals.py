@@ -14,6 +14,12 @@ from support.signalled import HEIGHT
 TESTS = Path(__file__).resolve().parents[1]
 
 
+def deliver_signals():
+    """Take signals again that whoever runs the tests may have told its children to ignore, as shells and nohup do."""
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        signal.signal(number, signal.SIG_DFL)
+
+
 @pytest.fixture
 def start(app, tmp_path):
     """A function that starts the editor and waits until something goes on in it."""
@@ -28,7 +34,13 @@ def start(app, tmp_path):
         }
         command = [sys.executable, "-m", "support.signalled", going_on]
         editor = subprocess.Popen(
-            command, env=environment, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            command,
+            env=environment,
+            cwd=tmp_path,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            preexec_fn=deliver_signals if os.name == "posix" else None,
         )
         started.append(editor)
         assert editor.stdout.readline() == "ready\n"
