@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Protocol
 
 from PySide6.QtCore import QPoint, QPointF, SignalInstance
@@ -54,9 +55,11 @@ def screen_position(viewport: Viewport, picture: Picture | None, i: int, j: int)
     Raises
     ------
     IndexError : there is no such point
-    QovrError : there is no picture
+    QovrError : there is no picture, or the point lies behind the eye
     """
     if picture is None:
         raise QovrError("no point stands in the view: there is no surface; expected a document that has one")
     x, y, _ = picture.camera.project(picture.scene.points[i, j], viewport.logical_size)
+    if not math.isfinite(x):
+        raise QovrError(f"P {i},{j} lies behind the eye; expected a camera that sees it")
     return viewport.widget.mapToGlobal(QPointF(float(x), float(y))).toPoint()

@@ -118,7 +118,7 @@ class MainWindow(QMainWindow):
 
         Raises
         ------
-        IndexError, QovrError : there is no such point, or no surface
+        IndexError, QovrError : there is no such point, or it cannot be seen
         """
         return screen_position(self.view.viewports[0], self.view.picture(), i, j)
 

@@ -1,5 +1,6 @@
 """Thousands of random actions: no exception, no Qt warning, and fields that always agree with the document."""
 
+import math
 import os
 import random
 
@@ -87,6 +88,8 @@ def drag_a_point(editor, rng):
         return
     spots = picture.camera.project(picture.scene.points.reshape(-1, 3), viewport.logical_size)
     x, y = rng.choice(spots.tolist())[:2]
+    if not math.isfinite(x):
+        return  # it lies behind the eye
     at = QPoint(round(x), round(y))
     if not viewport.widget.rect().contains(at):
         return
