@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import threading
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from typing import NoReturn, TextIO
@@ -12,6 +13,9 @@ from typing import NoReturn, TextIO
 from qovr_core.errors import one_line
 
 ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM)
+
+_MOMENT = 0.002
+"""Seconds in which a finaliser has ended."""
 
 
 class Interrupted(KeyboardInterrupt):
@@ -31,7 +35,8 @@ class Interrupted(KeyboardInterrupt):
 def interruptible() -> Iterator[None]:
     """Let the first ending signal raise Interrupted, and no later one disturb the tidying up that follows.
 
-    A signal that is ignored stays so, as Ctrl-C for what a shell runs in the background.
+    A signal that is ignored stays so, as Ctrl-C for what a shell runs in the background. Where Python passes no
+    exception on, as out of a finaliser, the signal comes again a moment later.
     """
 
     def interrupt(number: int, _frame: object) -> NoReturn:
@@ -39,16 +44,27 @@ def interruptible() -> Iterator[None]:
             signal.signal(other, signal.SIG_IGN)
         raise Interrupted(number)
 
+    def come_again(lost: sys.UnraisableHookArgs) -> None:
+        if not isinstance(lost.exc_value, Interrupted):
+            hook_before(lost)
+            return
+        for other in before:
+            signal.signal(other, interrupt)
+        threading.Timer(_MOMENT, signal.raise_signal, (lost.exc_value.number,)).start()
+
+    hook_before = sys.unraisablehook
     before = {
         number: handler
         for number in ENDING_SIGNALS
         if (handler := signal.getsignal(number)) not in (signal.SIG_IGN, None)
     }
     try:
+        sys.unraisablehook = come_again
         for number in before:
             signal.signal(number, interrupt)
         yield
     finally:
+        sys.unraisablehook = hook_before
         for number, handler in before.items():
             signal.signal(number, handler)
 

@@ -118,6 +118,30 @@ def is_of_python_itself(err):
     return "KeyboardInterrupt" in err and ", in main\n" not in err and "/qovr_core/" not in err
 
 
+SWALLOWED = """
+import signal, time
+from qovr_core.streams import Interrupted, interruptible
+
+class Finalised:
+    def __del__(self):
+        signal.raise_signal(signal.SIGTERM)
+
+try:
+    with interruptible():
+        Finalised()
+        time.sleep(20)
+except Interrupted as interrupt:
+    print(interrupt.number)
+"""
+
+
+@posix
+def test_a_signal_in_a_finaliser_is_not_lost():
+    command = [sys.executable, "-c", SWALLOWED]
+    run = subprocess.run(command, check=False, env=environment(), capture_output=True, text=True)
+    assert (run.stdout, run.stderr) == (f"{int(signal.SIGTERM)}\n", "")
+
+
 COMMANDS = (
     ("figures", ".", "--only", "fig5a,fig8b", "--dpi", "40"),
     ("export", "paper:fig5", "a.csv", "a.xlsx", "a.step", "--samples", "60"),
