@@ -8,7 +8,6 @@ from pathlib import Path
 
 from PySide6.QtCore import QSignalBlocker, QSize, Qt
 from PySide6.QtWidgets import (
-    QAbstractButton,
     QDialogButtonBox,
     QGridLayout,
     QHBoxLayout,
@@ -57,7 +56,8 @@ class ExportDialog(WritingDialog):
         self._buttons = QDialogButtonBox(self)
         start = self._buttons.addButton("&Export", QDialogButtonBox.ButtonRole.AcceptRole)
         self._start = named(start, "export.start")
-        self._cancel = named(self._buttons.addButton(QDialogButtonBox.StandardButton.Cancel), "export.cancel")
+        self.cancel_button = named(self._buttons.addButton(QDialogButtonBox.StandardButton.Cancel), "export.cancel")
+        self.inputs = [self._formats, self._choices, self._path, self._browse, self._start]
         self._arrange()
         self._connect()
         self._describe()
@@ -76,12 +76,6 @@ class ExportDialog(WritingDialog):
     def conventions(self) -> ExportOptions:
         """The unit, axis and dialect that are chosen."""
         return self._choices.conventions
-
-    def inputs(self) -> list[QWidget]:
-        return [self._formats, self._choices, self._path, self._browse, self._start]
-
-    def cancel_button(self) -> QAbstractButton:
-        return self._cancel
 
     def _arrange(self) -> None:
         grid = QGridLayout()

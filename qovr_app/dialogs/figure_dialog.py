@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtWidgets import QAbstractButton, QCheckBox, QComboBox, QDialogButtonBox, QFormLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialogButtonBox, QFormLayout, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.target import ask_for_target
@@ -49,6 +49,9 @@ class FigureDialog(WritingDialog):
         self._dpi = named(CountBox(30, 2400, round(_FIRST.dpi or 300), self), "figure.dpi")
         self._transparent = named(QCheckBox("Transparent background (PNG and SVG)", self), "figure.transparent")
         self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
+        self.cancel_button = self._buttons.button(QDialogButtonBox.StandardButton.Cancel)
+        save = self._buttons.button(QDialogButtonBox.StandardButton.Save)
+        self.inputs = [self._unit, self._width, self._height, self._dpi, self._transparent, save]
         self._buttons.accepted.connect(self._choose_file)
         self._buttons.rejected.connect(self.reject)
         form = QFormLayout(self)
@@ -91,13 +94,6 @@ class FigureDialog(WritingDialog):
     def _show_size(self) -> None:
         width, height = self.options.pixels
         self.note.setText(f"{width} × {height} pixels; in SVG and PDF {self._vectors}")
-
-    def inputs(self) -> list[QWidget]:
-        save = self._buttons.button(QDialogButtonBox.StandardButton.Save)
-        return [self._unit, self._width, self._height, self._dpi, self._transparent, save]
-
-    def cancel_button(self) -> QAbstractButton:
-        return self._buttons.button(QDialogButtonBox.StandardButton.Cancel)
 
     def _set_writing(self, is_writing: bool) -> None:
         super()._set_writing(is_writing)

@@ -20,12 +20,18 @@ _PROGRESS_PARTS = 1000
 class WritingDialog(QDialog):
     """Has a file written by a job; ``note`` says how it went, ``bar`` how far it is.
 
+    A dialog of this kind makes ``inputs``, what cannot be used while a job is being done, and ``cancel_button``, what
+    cancels the job.
+
     Signals
     -------
     written : the path
     """
 
     written = Signal(object)
+
+    inputs: list[QWidget]
+    cancel_button: QAbstractButton
 
     def __init__(self, name: str, title: str, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -41,14 +47,6 @@ class WritingDialog(QDialog):
     def is_writing(self) -> bool:
         """Whether a job is being done."""
         return self._job is not None
-
-    def inputs(self) -> list[QWidget]:
-        """Return what cannot be used while a job is being done."""
-        raise NotImplementedError
-
-    def cancel_button(self) -> QAbstractButton:
-        """Return what cancels the job."""
-        raise NotImplementedError
 
     def write(self, function: Callable[..., object], *values: Any, path: Path) -> None:
         """Have a job write a path."""
@@ -67,7 +65,7 @@ class WritingDialog(QDialog):
             super().reject()
         else:
             path = self._job.target
-            self.cancel_button().setEnabled(False)
+            self.cancel_button.setEnabled(False)
             self.note.setText("Cancelling…")
             self._job.cancel(lambda was_done: self._on_cancelled(path, was_done))
 
@@ -82,9 +80,9 @@ class WritingDialog(QDialog):
         self.bar.setValue(round(part * _PROGRESS_PARTS))
 
     def _set_writing(self, is_writing: bool) -> None:
-        for widget in self.inputs():
+        for widget in self.inputs:
             widget.setEnabled(not is_writing)
-        self.cancel_button().setEnabled(True)
+        self.cancel_button.setEnabled(True)
         self.bar.setRange(0, 0)  # until the job says how far it is
         self.bar.setVisible(is_writing)
 

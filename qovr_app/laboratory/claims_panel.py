@@ -42,7 +42,7 @@ class ClaimsPanel(WorkingPanel):
     """
 
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
-        super().__init__(store, worker, parent)
+        super().__init__(store, worker, self._begin, self._is_behind, parent)
         self._document: Document | None = None
         self._all = len(CLAIMS) * len(FORMULATIONS)
         self._found = 0
@@ -69,8 +69,7 @@ class ClaimsPanel(WorkingPanel):
         """Whether every verdict shown is the document's."""
         return self._found == self._all
 
-    @property
-    def is_outdated(self) -> bool:
+    def _is_behind(self) -> bool:
         return self._document is not None and not self.is_current
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
@@ -94,7 +93,7 @@ class ClaimsPanel(WorkingPanel):
 
     # Looking for verdicts
 
-    def begin(self) -> Job:
+    def _begin(self) -> Job:
         self._found, self._row = 0, []
         self.offer_again(is_offered=False)
         return self.worker.run(

@@ -32,7 +32,7 @@ class ComparisonPanel(WorkingPanel):
     """
 
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
-        super().__init__(store, worker, parent)
+        super().__init__(store, worker, self._begin, self._is_behind, parent)
         self._wanted: tuple[Document, NetIndex, float] | None = None
         self._measures: dict[str, Measures] = {}
         self._bar = ComparisonBar(store.dispatch, self)
@@ -49,8 +49,7 @@ class ComparisonPanel(WorkingPanel):
         """Whether every measure shown is the document's."""
         return len(self._measures) == len(compared_names())
 
-    @property
-    def is_outdated(self) -> bool:
+    def _is_behind(self) -> bool:
         return self._wanted is not None and not self.is_current
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
@@ -71,7 +70,7 @@ class ComparisonPanel(WorkingPanel):
         self._bar.set_copyable(False)
         self.work.restart()
 
-    def begin(self) -> Job | None:
+    def _begin(self) -> Job | None:
         self._measures = {}
         self.offer_again(is_offered=False)
         if self._wanted is None:

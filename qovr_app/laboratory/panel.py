@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout, QWidget
 
@@ -44,21 +46,26 @@ class LaboratoryPanel(QWidget):
 
 
 class WorkingPanel(LaboratoryPanel):
-    """A panel that shows what a job finds, which the worker does while the panel is shown and nothing changes."""
+    """A panel that shows what a job finds, which the worker does while the panel is shown and nothing changes.
 
-    def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
+    Parameters
+    ----------
+    begin : asks the worker for the job, of what is shown; returns None where there is nothing to do
+    is_outdated : whether there is something to do, and not all of it has been found
+    """
+
+    def __init__(
+        self,
+        store: Store,
+        worker: Worker,
+        begin: Callable[[], Job | None],
+        is_outdated: Callable[[], bool],
+        parent: QWidget | None = None,
+    ) -> None:
         super().__init__(store, worker, parent)
-        self.work = QuietJob(self.begin, self)
+        self.work = QuietJob(begin, self)
+        self._is_outdated = is_outdated
         self._again: CompactButton | None = None
-
-    @property
-    def is_outdated(self) -> bool:
-        """Whether there is something to do, and not all of it has been found."""
-        raise NotImplementedError
-
-    def begin(self) -> Job | None:
-        """Ask the worker for the job, of what is shown; return None where there is nothing to do."""
-        raise NotImplementedError
 
     def with_again(self, state: QWidget, name: str) -> QHBoxLayout:
         """Return a row of what says how the job goes, and a button to begin it again that is there after a failure."""
@@ -77,7 +84,7 @@ class WorkingPanel(LaboratoryPanel):
 
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        if self.is_outdated and not self.work.is_running:
+        if self._is_outdated() and not self.work.is_running:
             self.work.restart()
 
     def hideEvent(self, event: QHideEvent) -> None:

@@ -3,30 +3,16 @@
 import pytest
 
 from qovr_app.state import intents, looking_intents
-from qovr_app.state.display import ColourRange, DisplaySettings, LayerChoice, Placement
-from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
-from qovr_app.state.next_state import next_state
+from qovr_app.state.display import ColourRange, LayerChoice, Placement
 from qovr_app.store import Store
 from qovr_core import Formulation, QovrError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
 from qovr_core.files.sources import read_source
 from qovr_core.presets import preset
+from support.states import after
 
 S_OF_C2 = KnotPlace(Direction.ROWS, 2, "s")
 Z_OF_P22 = CoordinatePlace(2, 2, 2)
-
-
-@pytest.fixture
-def start() -> EditorState:
-    """The editor as it opens."""
-    state = first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings())
-    return next_state(state, intents.Configured())
-
-
-def after(state: EditorState, *asked: intents.Intent) -> EditorState:
-    for intent in asked:
-        state = next_state(state, intent)
-    return state
 
 
 def dragged(z: float, gesture: int = 7) -> intents.PointsMoved:

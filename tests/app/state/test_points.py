@@ -6,29 +6,14 @@ import numpy as np
 import pytest
 
 from qovr_app.state import intents, looking_intents, point_intents
-from qovr_app.state.display import DisplaySettings
-from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
+from qovr_app.state.editor_state import EditorState
 from qovr_app.state.looking_intents import Picking
-from qovr_app.state.next_state import next_state
 from qovr_core import QovrError
 from qovr_core.edits import CoordinatePlace, value_at
 from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.net_edits import Align, Flatten, Smooth, Transform
-from qovr_core.presets import preset
 from qovr_core.symmetry import Source
-
-
-@pytest.fixture
-def start() -> EditorState:
-    """The editor with Figure 5."""
-    state = first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings())
-    return next_state(state, intents.Configured())
-
-
-def after(state: EditorState, *asked: intents.Intent) -> EditorState:
-    for intent in asked:
-        state = next_state(state, intent)
-    return state
+from support.states import after
 
 
 def moved(start: EditorState, state: EditorState):
