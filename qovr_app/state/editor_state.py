@@ -120,7 +120,6 @@ class EditorState:
     evaluation : the surface configured last; None where there is none
     is_live : whether edits are set at once and the surface follows
     links_curves, links_directions : whether a knot is edited on all curves of its direction, and on both directions
-    window : the window (a, b) of the net that the zones show, counted along v and u
     selection : the selected control points
     fields : of every zone the field that had the keyboard last
     knot : the knot whose field had the keyboard last
@@ -146,7 +145,6 @@ class EditorState:
     is_live: bool = True
     links_curves: bool = True
     links_directions: bool = False
-    window: tuple[int, int] = (0, 0)
     selection: Selection = Selection()
     fields: Mapping[Zone, Place] = field(default_factory=dict)
     knot: KnotPlace | None = None

@@ -72,10 +72,6 @@ class Frame:
     def _laid_points(self, points: Array, limit: float) -> Array:
         return np.clip((points - self.centre) * self.scale, -limit, limit)
 
-    def to_document(self, points: Array) -> Array:
-        """Return points (..., 3) of the unit space in the document's."""
-        return points / self.scale + self.centre
-
 
 def frame_around(boxes: list[Array], scaling: Scaling) -> Frame:
     """Return the frame whose round limits hold all boxes, each (3, 2) with columns min and max.

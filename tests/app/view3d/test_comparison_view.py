@@ -161,7 +161,7 @@ def test_over_it_is_lines_with_a_legend(owner, make_view):
     assert near(view.image(), ink) > 2000
     scene = view.picture().scene
     assert scene.lines_name == "B-spline"
-    line = scene.frame.to_document(scene.lines[0])
+    line = scene.lines[0] / scene.frame.scale + scene.frame.centre
     np.testing.assert_allclose(line, b_spline(owner.document.control_points).points(np.linspace(0, 1, 49), [0.0])[:, 0])
     legend = view.image().copy(0, 0, round(120 * view.devicePixelRatioF()), round(60 * view.devicePixelRatioF()))
     assert near(legend, ink) > 20
