@@ -11,7 +11,7 @@ from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
 from qovr_core.edits import Place, value_at
-from qovr_core.formulations import FORMULATIONS, Formulation
+from qovr_core.formulations import FORMULATIONS
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.symmetry import mirrored_values
 
@@ -197,8 +197,8 @@ def _surface_shown(state: EditorState) -> EditorState:
 
 
 def _with_evaluation(state: EditorState, evaluation: Evaluation) -> EditorState:
-    """Return the state with another surface; where its formulation is another one, its resting layer is shown."""
-    before = state.evaluation.document.formulation if state.evaluation else Formulation.PUBLISHED
+    """Return the state with another surface; where its formulation is new here, its resting layer is shown."""
+    before = state.evaluation.document.formulation if state.evaluation else None
     state = replace(state, evaluation=evaluation)
     return state if evaluation.document.formulation == before else with_layer_in_place(state, evaluation)
 

@@ -1,9 +1,12 @@
 """The editor's logic as lists of intents: no window, no Qt."""
 
+from dataclasses import replace
+
 import pytest
 
 from qovr_app.state import intents, looking_intents
 from qovr_app.state.display import ColourRange, LayerChoice, Placement
+from qovr_app.state.editor_state import first_state
 from qovr_app.store import Store
 from qovr_core import Formulation, QovrError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
@@ -290,3 +293,11 @@ class TestStore:
         request = Asked()
         store.dispatch(request)
         assert performed == [request]
+
+
+@pytest.mark.parametrize(
+    ("remembered", "shown"), [(LayerChoice.RAW, LayerChoice.TRANSFORMED), (LayerChoice.BOTH, LayerChoice.BOTH)]
+)
+def test_a_window_begins_with_the_layer_that_lies_on_the_net(start, remembered, shown):
+    display = replace(start.display, layer=remembered)  # as an interpolating document has left it
+    assert after(first_state(start.document, start.file, display), intents.Configured()).display.layer is shown
