@@ -29,7 +29,10 @@ def readable_suffixes() -> tuple[str, ...]:
 def source_suffixes() -> tuple[str, ...]:
     """Return the suffixes of all files that can be opened: the readable ones, and what is only read."""
     readable = [FORMATS[suffix] for suffix in readable_suffixes()]
-    return (*readable_suffixes(), *(suffix for entry in readable for suffix in entry.suffixes_read))
+    return (
+        *readable_suffixes(),
+        *(other for entry in readable for other in (*entry.other_suffixes, *entry.suffixes_read)),
+    )
 
 
 def local_path(source: str) -> str:
@@ -72,5 +75,5 @@ def read_source(source: str) -> Document:
         if entry.reader is not None and suffix in (entry.suffix, *entry.other_suffixes, *entry.suffixes_read):
             check_readable(path)
             return entry.reader(path)
-    expected = f"a file of {', '.join(readable_suffixes())}, or {PRESET_PREFIX}NAME"
+    expected = f"a file of {', '.join(source_suffixes())}, or {PRESET_PREFIX}NAME"
     raise SourceError(f"{source or 'an empty name'}: is no source; expected {expected}")
