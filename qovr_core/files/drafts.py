@@ -31,6 +31,9 @@ _ABANDONED_SECONDS = 24 * 3600.0
 _PATIENCE_SECONDS = 2.0
 """What is waited for others at most: putting files in their places takes them milliseconds."""
 
+_NONE, _HELD = -1, -2
+"""Instead of a lock's descriptor: there are no locks, or no file; somebody else holds it."""
+
 _OWN_NAMES = f"{_PREFIX}[0-9]*-*{_SUFFIX}"
 """Those of drafts that are locked while they are written."""
 
@@ -87,9 +90,10 @@ def turn(folder: Path) -> Iterator[None]:
 
 @contextmanager
 def _made(folder: Path, make: Callable[[Path], None]) -> Iterator[Path]:
-    draft, lock = folder, -1
+    draft, lock = folder, _NONE
     try:
-        while not (draft != folder and draft.exists()):  # between making and locking, another process may sweep it away
+        # Between making and locking, another writer may sweep it away: it is gone, or its lock is held for that.
+        while draft == folder or lock == _HELD or not draft.exists():
             _close(lock)
             draft = folder / f"{_PREFIX}{os.getpid()}-{secrets.token_hex(6)}{_SUFFIX}"
             make(draft)
@@ -109,18 +113,18 @@ def _remove_if_unlocked(draft: Path) -> None:
 
 
 def _locked(path: Path) -> int:
-    """Return an open descriptor that holds the lock of a file or folder; -1 where there is none to be had."""
+    """Return an open descriptor that holds the lock of a file or folder; where it cannot be had, _HELD or _NONE."""
     if not _LOCKS_ARE_KNOWN:
-        return -1
+        return _NONE
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW)
     except OSError:
-        return -1
+        return _NONE
     try:
         fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except OSError:
+    except OSError as error:
         os.close(descriptor)
-        return -1
+        return _HELD if isinstance(error, BlockingIOError) else _NONE
     return descriptor
 
 

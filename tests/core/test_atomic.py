@@ -218,6 +218,12 @@ def test_of_two_files_none_appears_where_one_fails(tmp_path):
     assert names(tmp_path) == ["a"]
 
 
+def test_no_writer_sweeps_away_what_another_has_just_begun(tmp_path):
+    with ThreadPoolExecutor(8) as pool:
+        list(pool.map(lambda k: write(tmp_path / "a", str(k)), range(600)))
+    assert [entry.name for entry in tmp_path.iterdir()] == ["a"]
+
+
 def test_of_many_writers_at_once_one_wins_whole(tmp_path):
     texts = [str(k) * 100_000 for k in range(8)]
     with ThreadPoolExecutor(8) as pool:
