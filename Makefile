@@ -28,9 +28,11 @@ coverage: setup
 	@mkdir -p build
 	@$(PY) -m pytest --numprocesses auto --dist worksteal --cov --cov-report term:skip-covered
 
-# Damaged files, for as long as one likes: make fuzz SECONDS=36000. What fails is kept in build/.
+# The properties on examples of the day, then damaged files for as long as one likes: make fuzz SECONDS=36000.
+# What fails is kept in build/.
 SECONDS ?= 3600
 fuzz: setup
+	@$(PY) -m pytest -m hypothesis --hypothesis-profile exploring --numprocesses auto --dist worksteal
 	@QOVR_FUZZ_SECONDS=$(SECONDS) QOVR_FUZZ_SEED=$$(date +%s) $(PY) -m pytest -s tests/core/test_fuzz.py
 
 bench: setup

@@ -14,7 +14,9 @@ from hypothesis import settings
 SCREEN = "2600x1600x24"
 _XVFB_SECONDS = 20
 
-settings.register_profile("tests", deadline=None)  # how long an example takes depends on who else runs
+# How long an example takes depends on who else runs. The tests try the same examples each time; `make fuzz` others.
+settings.register_profile("tests", deadline=None, derandomize=True)
+settings.register_profile("exploring", deadline=None, print_blob=True)
 settings.load_profile("tests")
 
 
