@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import chain
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import FormulationChosen, ValuesEdited
@@ -14,7 +14,7 @@ from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.clipboard import Rows
-from qovr_app.widgets.parts import Note, symbol
+from qovr_app.widgets.parts import Note, named, symbol
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.knot_slider import KnotSlider
 from qovr_app.zones.zone import FieldZone
@@ -30,7 +30,11 @@ _NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
 
 
 class KnotsZone(FieldZone):
-    """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward."""
+    """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward.
+
+    ``plot_place`` lies under the fields, as wide as the zone and as high as what they leave: what explains the knots
+    in a picture goes into its layout, and says by its minimum size how low it may become.
+    """
 
     _check = staticmethod(checked_knot)
 
@@ -53,7 +57,9 @@ class KnotsZone(FieldZone):
         self._note = Note(f"{direction}.note", self)
         self._note.linkActivated.connect(lambda name: store.dispatch(FormulationChosen(name)))
         self._layout.addWidget(self._note)
-        self._layout.addStretch(1)
+        self.plot_place = named(QWidget(self), f"{direction}.plot")
+        QVBoxLayout(self.plot_place).setContentsMargins(0, 0, 0, 0)
+        self._layout.addWidget(self.plot_place, 1)
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         super().show_state(before, after)
