@@ -6,7 +6,7 @@ from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
 
 from qovr_app.state import intents
-from qovr_app.state.editor_state import DocumentFile, EditorState, Selection, with_layer_in_place, with_message
+from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_layer_in_place, with_message
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
@@ -22,10 +22,7 @@ def values_edited(state: EditorState, intent: intents.ValuesEdited) -> EditorSta
     wanted = dict(intent.values)
     for place, value in intent.values.items():
         if isinstance(place, KnotPlace):
-            linked = edits.linked_places(
-                state.document, place, curves=state.links_curves, directions=state.links_directions
-            )
-            wanted |= dict.fromkeys(linked, value)
+            wanted |= dict.fromkeys(state.links.places(state.document, place), value)
     before = state.document if state.is_live else state.draft
     for direction in state.tools.symmetries:
         wanted = mirrored_values(before, wanted, direction)
@@ -75,6 +72,10 @@ def formulation_chosen(state: EditorState, intent: intents.FormulationChosen) ->
 def samples_chosen(state: EditorState, intent: intents.SamplesChosen) -> EditorState:
     n, m = intent.samples
     return with_document(state, f"Set samples {n} × {m}", edits.set_samples(state.document, intent.samples), intent)
+
+
+def gesture_begun(state: EditorState, intent: intents.GestureBegun) -> EditorState:
+    return replace(state, gesture=Gesture(intent.gesture, state.history, state.draft))
 
 
 def gesture_ended(state: EditorState, _intent: intents.GestureEnded) -> EditorState:

@@ -10,6 +10,7 @@ from pathlib import Path
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.history import History
 from qovr_app.state.intents import Stamp
+from qovr_app.state.knot_links import Links, Window
 from qovr_app.state.pending import with_typed
 from qovr_app.state.tools import ToolSettings
 from qovr_core import Document, Evaluation, ParametricSurface
@@ -119,7 +120,8 @@ class EditorState:
     texts : what fields hold that is not their number, by place
     evaluation : the surface configured last; None where there is none
     is_live : whether edits are set at once and the surface follows
-    links_curves, links_directions : whether a knot is edited on all curves of its direction, and on both directions
+    links : what shares a knot that is edited
+    window : the window (a, b) of the net through which the zones read
     selection : the selected control points
     fields : of every zone the field that had the keyboard last
     knot : the knot whose field had the keyboard last
@@ -143,8 +145,8 @@ class EditorState:
     evaluation: Evaluation | None = None
     texts: Mapping[Place, str] = field(default_factory=dict)
     is_live: bool = True
-    links_curves: bool = True
-    links_directions: bool = False
+    links: Links = field(default_factory=Links)
+    window: Window = (0, 0)
     selection: Selection = Selection()
     fields: Mapping[Zone, Place] = field(default_factory=dict)
     knot: KnotPlace | None = None
@@ -199,7 +201,7 @@ class EditorState:
 
     @property
     def focus(self) -> Focus:
-        """What the user has turned to last; letting go of a point leaves nothing, or the knot that came after it."""
+        """What the user has turned to last; letting go leaves nothing."""
         return self.knot if self.knot_came_last else self.selection.last
 
     @property

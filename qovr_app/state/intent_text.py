@@ -13,7 +13,7 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from qovr_app.state import display, intents, looking_intents, point_intents, requests, tools
+from qovr_app.state import display, intents, knot_intents, looking_intents, point_intents, requests, tools
 from qovr_app.state.intents import Intent
 from qovr_core import Document, edits, net_edits, symmetry
 from qovr_core.errors import DocumentError
@@ -23,7 +23,18 @@ _KIND, _VALUE = "is", "value"
 
 _KINDS: dict[str, Any] = {
     name: kind
-    for module in (intents, looking_intents, point_intents, requests, display, tools, edits, net_edits, symmetry)
+    for module in (
+        intents,
+        knot_intents,
+        looking_intents,
+        point_intents,
+        requests,
+        display,
+        tools,
+        edits,
+        net_edits,
+        symmetry,
+    )
     for name, kind in vars(module).items()
     if isinstance(kind, type) and (is_dataclass(kind) or issubclass(kind, Enum))
 }

@@ -1,7 +1,7 @@
 """What the user wants, as values: every intent makes the next state in ``next_state``, or is refused there.
 
-Here are those of the document; ``point_intents`` are those of the selected control points,
-``looking_intents`` those of what is looked at.
+Here are those of the document; ``knot_intents`` are those of single knots, ``point_intents`` those of the selected
+control points, ``looking_intents`` those of what is looked at.
 
 A ``Request`` is an intent that needs the world outside - a file, a dialog, the clipboard. The shell answers it, and the
 answer comes back as an intent.
@@ -35,7 +35,10 @@ class Request(Intent):
 
 @dataclass(frozen=True)
 class ValuesEdited(Intent):
-    """Numbers are other ones, and with them those that are linked; ``gesture`` is 0 for none."""
+    """Several numbers are other ones, and with them those that are linked; ``gesture`` is 0 for none.
+
+    One knot alone is a ``KnotsSet``.
+    """
 
     values: Mapping[Place, float]
     gesture: int = 0
@@ -93,6 +96,13 @@ class PointsMoved(Intent):
 
 
 @dataclass(frozen=True)
+class GestureBegun(Intent):
+    """A drag has begun; points that are moved begin theirs themselves."""
+
+    gesture: int
+
+
+@dataclass(frozen=True)
 class GestureEnded(Intent):
     """A drag has ended where it is."""
 
@@ -147,20 +157,6 @@ class LiveSwitched(Intent):
     """Edits are set at once, or wait in the draft."""
 
     is_live: bool
-
-
-@dataclass(frozen=True)
-class CurvesLinked(Intent):
-    """The curves of a direction share what is edited, or not."""
-
-    is_linked: bool
-
-
-@dataclass(frozen=True)
-class DirectionsLinked(Intent):
-    """Rows and columns share what is edited, or not."""
-
-    is_linked: bool
 
 
 # Answers of the shell

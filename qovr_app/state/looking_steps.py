@@ -24,7 +24,7 @@ def selected(state: EditorState, intent: looking_intents.Selected) -> EditorStat
     before = state.selection.points if intent.picking is not Picking.REPLACE else frozenset()
     points = before ^ frozenset(picked) if intent.picking is Picking.TOGGLE else before | frozenset(picked)
     if not points:
-        return replace(state, selection=Selection(), message=None)
+        return replace(state, selection=Selection(), knot_came_last=False, message=None)
     latest = next((index for index in (intent.last, state.selection.last) if index in points), None) or min(points)
     state = _with_points(state, latest, points)
     if len(points) > 1:

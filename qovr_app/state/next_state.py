@@ -3,10 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
-from qovr_app.state import document_steps, intents, looking_intents, looking_steps, point_intents, point_steps
+from qovr_app.state import (
+    document_steps,
+    intents,
+    knot_intents,
+    knot_steps,
+    looking_intents,
+    looking_steps,
+    point_intents,
+    point_steps,
+)
 from qovr_app.state.editor_state import EditorState
 
 _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = {
@@ -16,10 +24,13 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.ZoneSet: document_steps.zone_set,
     intents.PendingSet: document_steps.pending_set,
     intents.ZoneRead: document_steps.zone_read,
+    knot_intents.KnotsSet: knot_steps.knots_set,
+    knot_intents.LinkSwitched: knot_steps.link_switched,
     intents.PointsMoved: point_steps.points_moved,
     point_intents.PointsNudged: point_steps.points_nudged,
     point_intents.PointsEdited: point_steps.points_edited,
     point_intents.MadeSymmetric: point_steps.made_symmetric,
+    intents.GestureBegun: document_steps.gesture_begun,
     intents.GestureEnded: document_steps.gesture_ended,
     intents.GestureCancelled: document_steps.gesture_cancelled,
     intents.FormulationChosen: document_steps.formulation_chosen,
@@ -29,8 +40,6 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.WentTo: document_steps.went_to,
     intents.Configured: document_steps.configured,
     intents.LiveSwitched: document_steps.live_switched,
-    intents.CurvesLinked: lambda state, intent: replace(state, links_curves=intent.is_linked),
-    intents.DirectionsLinked: lambda state, intent: replace(state, links_directions=intent.is_linked),
     intents.Opened: document_steps.opened,
     intents.Saved: document_steps.saved,
     intents.FileFound: document_steps.file_found,

@@ -8,7 +8,9 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import FormulationChosen, ValuesEdited
+from qovr_app.state.intents import FormulationChosen, Intent
+from qovr_app.state.knot_intents import KnotsSet
+from qovr_app.state.knot_links import window_along
 from qovr_app.state.names import knot_meaning, spoken
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
@@ -21,7 +23,7 @@ from qovr_app.zones.zone import FieldZone
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.document import NET_SIZE
-from qovr_core.edits import Zone, knots_of
+from qovr_core.edits import Place, Zone, knots_of
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, monotone_range
 from qovr_core.number_texts import knot_step
 
@@ -65,7 +67,7 @@ class KnotsZone(FieldZone):
         super().show_state(before, after)
         if after.differs(before, "document", "draft"):
             self._show_effects(after.document, knots_of(after.draft, self._direction))
-        if after.differs(before, "draft", "fields", "links_curves", "links_directions"):
+        if after.differs(before, "draft", "fields", "links"):
             self._show_slider(after)
 
     def _show_effects(self, document: Document, curves: tuple[Knots, ...]) -> None:
@@ -123,8 +125,15 @@ class KnotsZone(FieldZone):
 
     def _on_slider_moved(self, value: float, gesture: int) -> None:
         self.fields[self._knot].revert()
-        if self._store.dispatch(ValuesEdited({self._knot: value}, gesture)) is not None:
+        if self._store.dispatch(self._edit_of(self._knot, value, gesture)) is not None:
             self._show_slider(self._store.state)
+
+    def _edit_of(self, place: Place, value: float, gesture: int) -> Intent:
+        """Return what sets one knot, or what is no knot."""
+        if not isinstance(place, KnotPlace):
+            return super()._edit_of(place, value, gesture)
+        window = window_along(self._store.state.window, place.direction)
+        return KnotsSet(place.direction, place.curve, window, place.name, value, gesture)
 
     @property
     def _knot(self) -> KnotPlace:
@@ -134,7 +143,7 @@ class KnotsZone(FieldZone):
 
     def _show_slider(self, state: EditorState) -> None:
         place = self._knot
-        curves, directions = state.links_curves, state.links_directions
+        curves, directions = state.links.curves, state.links.directions
         letter = self._direction.letter
         whose = (
             f"{symbol_html(letter, '0')}..{symbol_html(letter, str(NET_SIZE - 1))}"

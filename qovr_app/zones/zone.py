@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import TextTyped, ValuesEdited, ValuesPasted, ZoneRead, ZoneSet
+from qovr_app.state.intents import Intent, TextTyped, ValuesEdited, ValuesPasted, ZoneRead, ZoneSet
 from qovr_app.state.looking_intents import FieldFocused, MessageOutdated, MessageShown
 from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
 from qovr_app.state.typed import typed_block
@@ -133,9 +133,13 @@ class FieldZone(QFrame):
 
     def _on_value_edited(self, place: Place, value: float, gesture: int) -> None:
         self._has_reported = True
-        error = self._store.dispatch(ValuesEdited({place: value}, gesture))
+        error = self._store.dispatch(self._edit_of(place, value, gesture))
         if error is not None:
             self.fields[place].refuse(value_at(self._store.state.draft, place), str(error))
+
+    def _edit_of(self, place: Place, value: float, gesture: int) -> Intent:
+        """Return what sets the number at a place."""
+        return ValuesEdited({place: value}, gesture)
 
     def _on_text_owned(self, place: Place, field: NumberField) -> None:
         self._store.dispatch(TextTyped(place, field.text() if field.has_own_text else None))

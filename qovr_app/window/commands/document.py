@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtGui import QKeySequence
 
-from qovr_app.state import intents, requests
+from qovr_app.state import intents, knot_intents, requests
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.window.commands.command import Command, asking
@@ -192,19 +192,19 @@ def surface_commands() -> tuple[Command, ...]:
         Command(
             "link_curves",
             "Link c&urves",
-            lambda state: intents.CurvesLinked(not state.links_curves),
+            lambda state: knot_intents.LinkSwitched("curves", not state.links.curves),
             menu,
             "Ctrl+K",
             "Editing a knot sets it on all five curves of its direction",
-            is_checked=lambda state: state.links_curves,
+            is_checked=lambda state: state.links.curves,
         ),
         Command(
             "link_directions",
             "Link &directions",
-            lambda state: intents.DirectionsLinked(not state.links_directions),
+            lambda state: knot_intents.LinkSwitched("directions", not state.links.directions),
             menu,
             "Ctrl+Shift+K",
             "Editing a knot sets it on rows and columns alike",
-            is_checked=lambda state: state.links_directions,
+            is_checked=lambda state: state.links.directions,
         ),
     )

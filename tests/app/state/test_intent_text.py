@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qovr_app.state import intents, looking_intents, point_intents, requests
+from qovr_app.state import intents, knot_intents, looking_intents, point_intents, requests
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
@@ -39,6 +39,15 @@ EXAMPLES = {
         intents.PointsMoved,
         st.lists(INDICES).map(tuple),
         st.lists(TRIPLES).map(tuple),
+        GESTURES,
+    ),
+    knot_intents.KnotsSet: st.builds(
+        knot_intents.KnotsSet,
+        st.sampled_from(Direction),
+        st.none() | st.integers(0, 4),
+        st.just(0),
+        st.sampled_from("rsut"),
+        NUMBERS,
         GESTURES,
     ),
     point_intents.PointsNudged: st.builds(point_intents.PointsNudged, st.lists(INDICES).map(tuple), TRIPLES, NUMBERS),
@@ -78,7 +87,7 @@ EXAMPLES = {
 
 
 def kinds():
-    for module in (intents, looking_intents, point_intents, requests):
+    for module in (intents, knot_intents, looking_intents, point_intents, requests):
         for _, kind in inspect.getmembers(module, inspect.isclass):
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 yield kind
@@ -111,7 +120,7 @@ def test_a_session_is_replayed_from_its_text():
     start = first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings())
     session = [
         intents.Configured(),
-        intents.ValuesEdited({KnotPlace(Direction.ROWS, 4, "s"): 0.6}),
+        knot_intents.KnotsSet(Direction.ROWS, 4, 0, "s", 0.6),
         intents.PointsMoved(((2, 2),), ((0.0, 0.0, 0.4),), 1),
         intents.GestureEnded(1),
         intents.FormulationChosen("interpolating"),

@@ -7,6 +7,7 @@ import pytest
 
 from qovr_app.state import intents, looking_intents, point_intents
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.knot_intents import LinkSwitched
 from qovr_app.state.looking_intents import Picking
 from qovr_core import QovrError
 from qovr_core.edits import CoordinatePlace, value_at
@@ -112,7 +113,7 @@ def test_symmetry_across_both_moves_four(start):
 
 def test_fields_edit_their_mirror_images_too(start):
     r, t = KnotPlace(Direction.ROWS, 1, "r"), KnotPlace(Direction.ROWS, 1, "t")
-    state = after(start, intents.CurvesLinked(False), *tools(symmetry_columns=True))
+    state = after(start, LinkSwitched("curves", False), *tools(symmetry_columns=True))
     state = after(state, intents.ValuesEdited({r: 0.375}), intents.ValuesEdited({CoordinatePlace(1, 0, 2): 0.9}))
     assert value_at(state.document, t) == 0.625
     assert moved(start, state)[1, 4, 2] == pytest.approx(0.5)

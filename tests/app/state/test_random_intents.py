@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import pytest
 
-from qovr_app.state import intents, looking_intents, point_intents
+from qovr_app.state import intents, knot_intents, looking_intents, point_intents
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
@@ -33,6 +33,16 @@ def some(rng):
             intents.ValuesEdited({place: number}, gesture),
             intents.ValuesEdited({place: number}, gesture),
             intents.ValuesPasted({rng.choice(KNOTS): number, rng.choice(POINTS): rng.choice(NUMBERS)}),
+            knot_intents.KnotsSet(
+                rng.choice(list(Direction)),
+                rng.choice([None, i]),
+                0,
+                rng.choice("rsut"),
+                number,
+                gesture,
+                takes_s=rng.random() < 0.5,
+                in_view=rng.random() < 0.5,
+            ),
             intents.TextTyped(place, rng.choice([None, "0.5", "abc"])),
             intents.ZoneSet(rng.choice(list(Zone)), {}),
             intents.ZoneRead(rng.choice(list(Zone))),
@@ -41,6 +51,7 @@ def some(rng):
             point_intents.PointsEdited(rng.choice(EDITS), ((i, j), (j, i))),
             point_intents.MadeSymmetric(rng.choice(list(Direction)), rng.choice(list(Source))),
             looking_intents.ToolChosen(rng.choice(["soft", "symmetry_rows", "symmetry_columns"]), rng.random() < 0.5),
+            intents.GestureBegun(gesture),
             intents.GestureEnded(3),
             intents.GestureCancelled(3),
             intents.FormulationChosen(rng.choice(list(FORMULATIONS))),
@@ -49,8 +60,8 @@ def some(rng):
             intents.Redone(),
             intents.Configured(),
             intents.LiveSwitched(rng.random() < 0.7),
-            intents.CurvesLinked(rng.random() < 0.5),
-            intents.DirectionsLinked(rng.random() < 0.5),
+            knot_intents.LinkSwitched("curves", rng.random() < 0.5),
+            knot_intents.LinkSwitched("directions", rng.random() < 0.5),
             looking_intents.Selected(rng.choice([None, (i, j)]), ((j, i),), rng.choice(list(looking_intents.Picking))),
             looking_intents.FieldFocused(place),
             looking_intents.DisplayChosen("layer", rng.choice(list(LayerChoice))),
