@@ -21,20 +21,11 @@ from qovr_core.files.qovr_document import document_from_json, document_to_json
 
 _KIND, _VALUE = "is", "value"
 
+_MODULES = intents, knot_intents, looking_intents, point_intents, requests, display, tools, edits, net_edits, symmetry
+
 _KINDS: dict[str, Any] = {
     name: kind
-    for module in (
-        intents,
-        knot_intents,
-        looking_intents,
-        point_intents,
-        requests,
-        display,
-        tools,
-        edits,
-        net_edits,
-        symmetry,
-    )
+    for module in _MODULES
     for name, kind in vars(module).items()
     if isinstance(kind, type) and (is_dataclass(kind) or issubclass(kind, Enum))
 }
