@@ -7,11 +7,13 @@ import os
 import signal
 import sys
 from contextlib import suppress
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
 if TYPE_CHECKING:
     from qovr_app.window.main_window import MainWindow
+    from qovr_app.window.windows import Windows
 
 _EDIT = "edit"
 
@@ -27,8 +29,8 @@ def main() -> None:
 
     parser, commands = cli.build_parser()
     add_screenshot_command(commands)
-    edit = commands.add_parser(_EDIT, help="open the editor; also without this word: qovr [SOURCE]")
-    edit.add_argument("source", metavar="SOURCE", nargs="?")
+    edit = commands.add_parser(_EDIT, help="open the editor; also without this word: qovr [SOURCE...]")
+    edit.add_argument("sources", metavar="SOURCE", nargs="*", help="each opens in a window; in the one that runs")
     edit.set_defaults(command=_edit)
     arguments = sys.argv[1:]
     if not arguments or not (arguments[0].startswith("-") or arguments[0] in commands.choices):
@@ -72,10 +74,10 @@ def create_window(path: str | None = None) -> MainWindow:
     source, refusal = None if path is None else str(path), preferences.complaint
     comes_late = source is not None and is_large(source)
     try:
-        window = MainWindow(None if comes_late else source, preferences)
+        window = MainWindow(None if comes_late else source, preferences, open_windows())
     except (QovrError, OSError, ValueError) as error:
         refusal = f"{error}."
-        window = MainWindow(None, preferences)
+        window = MainWindow(None, preferences, open_windows())
     window.protect(RecoveryStore())
     if refusal:
         window.store.dispatch(MessageShown(refusal, is_refusal=True))
@@ -86,25 +88,38 @@ def create_window(path: str | None = None) -> MainWindow:
 
 def _edit(arguments: argparse.Namespace) -> int:
     from qovr_app.window.application import make_application
+    from qovr_app.window.post import Post
     from qovr_app.window.signals import EndSignals
     from qovr_core.cli import SIGNALLED
 
-    if arguments.source is not None:
-        _check_call(arguments.source)
+    for source in arguments.sources:
+        _check_call(source)
     application = make_application(sys.argv)
-    window = create_window(arguments.source)
+    post = Post(application)
+    if post.is_handed_over(arguments.sources):
+        return 0
     ends, codes = EndSignals(application), []
 
     def end(number: int) -> None:
         codes.append(SIGNALLED + number)
-        window.end()
+        open_windows().end()
         application.exit()
 
     ends.came.connect(end)
-    window.show()
+    post.came.connect(open_windows().open_all)
+    open_windows().open_all(arguments.sources)
     code = application.exec()
+    post.close()
     ends.close()
     return codes[0] if codes else code
+
+
+@cache
+def open_windows() -> Windows:
+    """Return the windows of this process."""
+    from qovr_app.window.windows import Windows
+
+    return Windows(create_window)
 
 
 def _check_call(source: str) -> None:

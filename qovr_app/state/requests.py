@@ -14,14 +14,17 @@ from qovr_core import Document
 
 @dataclass(frozen=True)
 class OpenAsked(Request):
-    """Ask for a file and open it."""
+    """Ask for a file and open it, in another window where that is wanted."""
+
+    elsewhere: bool = False
 
 
 @dataclass(frozen=True)
 class SourceAsked(Request):
-    """Open a file or a preset, after asking about unsaved changes."""
+    """Open a file or a preset: after asking about unsaved changes, or in another window, where this one is in use."""
 
     source: str
+    elsewhere: bool = False
 
 
 @dataclass(frozen=True)
@@ -76,6 +79,18 @@ class DrawingAsked(Request):
 @dataclass(frozen=True)
 class CloseAsked(Request):
     """Close the window."""
+
+
+@dataclass(frozen=True)
+class WindowAsked(Request):
+    """Open a window with the paper's example."""
+
+
+@dataclass(frozen=True)
+class WindowStepped(Request):
+    """Bring the next window to the front, or for -1 the one before."""
+
+    step: int = 1
 
 
 @dataclass(frozen=True)

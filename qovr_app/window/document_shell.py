@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
@@ -23,12 +24,17 @@ from qovr_app.window.sources import (
     file_stamp,
     opened_by_worker,
     opened_if_small,
+    place_of,
     written_document,
 )
+from qovr_app.window.windows import Windows, bring_forward
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
 from qovr_core.files import source_suffixes
 from qovr_core.files.sources import local_path
+
+if TYPE_CHECKING:
+    from qovr_app.window.main_window import MainWindow
 
 
 class DocumentShell:
@@ -38,13 +44,21 @@ class DocumentShell:
     ----------
     worker : reads what is large
     commit_typed : takes what is just being typed, as leaving the field would
+    windows : the others, which may have a file open
     """
 
     def __init__(
-        self, store: Store, window: QWidget, folder: Folder, worker: Worker, commit_typed: Callable[[], None]
+        self,
+        store: Store,
+        window: QWidget,
+        folder: Folder,
+        worker: Worker,
+        *,
+        commit_typed: Callable[[], None],
+        windows: Windows,
     ) -> None:
         self._store, self._window, self._folder, self._worker = store, window, folder, worker
-        self._commit_typed = commit_typed
+        self._commit_typed, self._windows = commit_typed, windows
         self.answers: Answers = {
             requests.OpenAsked: self._ask_for_source,
             requests.SourceAsked: self._open_source,
@@ -61,24 +75,44 @@ class DocumentShell:
 
     # Opening
 
-    def _ask_for_source(self, _request: requests.OpenAsked) -> None:
+    def _ask_for_source(self, request: requests.OpenAsked) -> None:
         """Ask for a file and open it."""
         kinds = " ".join(f"*{suffix}" for suffix in source_suffixes())
         filters = f"Documents and workbooks ({kinds})"
         name, _ = QFileDialog.getOpenFileName(self._window, "Open", str(self._folder.path), filters)
         if name:
-            self._open_source(requests.SourceAsked(name))
+            self._open_source(requests.SourceAsked(name, request.elsewhere))
 
     def _open_source(self, request: requests.SourceAsked) -> None:
-        """Open a file or a preset, after asking about unsaved changes; what cannot be read changes nothing."""
-        if not self.may_leave():
+        """Open a file or a preset; what another window has open is shown there, what cannot be read changes nothing."""
+        if self._is_shown_elsewhere(request.source):
+            return
+        is_elsewhere = request.elsewhere and not self._state.is_untouched
+        if not is_elsewhere and not self.may_leave():
             return
         opened = self._read(request.source)
         if opened is None:
             return
         if not opened.preset:
             self._folder.note_document(Path(local_path(request.source)))
-        self._take(opened)
+        if is_elsewhere:
+            self._windows.take(opened)
+        else:
+            self._take(opened)
+
+    def _is_shown_elsewhere(self, source: str) -> bool:
+        """Bring the window forward that has a file open, if another one has."""
+        window = self._other_with(source)
+        if window is not None:
+            bring_forward(window)
+        return window is not None
+
+    def _other_with(self, source: str) -> MainWindow | None:
+        try:
+            place = patiently(self._window, f"Opening {Path(source).name}…", place_of, source)
+        except QovrError:
+            return None  # reading will say why
+        return self._windows.having(place, besides=self._window)
 
     def _read(self, source: str) -> Opened | None:
         """Return what came of reading a source; None, and a sentence, where nothing did."""
@@ -175,8 +209,14 @@ class DocumentShell:
         return answer == Answer.Save
 
     def _asked_path(self) -> Path | None:
+        """Ask for a file to save to; one that another window has open is none."""
         first = self._folder.stem(self._state.file.title).with_suffix(DOCUMENT_SUFFIX)
-        return ask_for_target(self._window, "Save As", first, {DOCUMENT_SUFFIX: "QOVR documents"})
+        path = ask_for_target(self._window, "Save As", first, {DOCUMENT_SUFFIX: "QOVR documents"})
+        if path is None or self._other_with(str(path)) is None:
+            return path
+        text = f"{path.name} is open in another window; save to another name, or close it there."
+        self._say(text, is_refusal=True)
+        return None
 
     def _save_to(self, path: Path) -> bool:
         state = self._state

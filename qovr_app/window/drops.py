@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Sequence
-from pathlib import Path
 
-from PySide6.QtCore import QProcess, Qt, QUrl
-from PySide6.QtGui import QDropEvent
+from PySide6.QtCore import QEvent, QObject, Qt, QTimer, QUrl
+from PySide6.QtGui import QDragEnterEvent, QDragMoveEvent, QDropEvent
+from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import SourceAsked
@@ -17,6 +16,25 @@ from qovr_core.files.sources import local_path
 
 _MOST_WINDOWS = 12
 """So many windows opened by one drop are meant; more are a slip of the hand."""
+
+
+class Drops(QObject):
+    """Opens what is dropped on a window."""
+
+    def __init__(self, window: QWidget, dispatch: Dispatch) -> None:
+        super().__init__(window)
+        self._dispatch = dispatch
+        window.setAcceptDrops(True)
+        window.installEventFilter(self)
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        if not isinstance(event, QDragEnterEvent | QDragMoveEvent | QDropEvent):
+            return False
+        if take(event) and event.type() == QEvent.Type.Drop:
+            sources = dropped_sources(event)
+            # Whatever is asked waits until the drop has ended: its source waits for that too.
+            QTimer.singleShot(0, self, lambda: open_each(sources, self._dispatch))
+        return event.isAccepted()
 
 
 def take(event: QDropEvent) -> bool:
@@ -41,21 +59,9 @@ def dropped_sources(event: QDropEvent) -> list[str]:
 
 
 def open_each(sources: Sequence[str], dispatch: Dispatch) -> None:
-    """Open the first of some files in the window they were dropped on, and each other one in a window of its own.
-
-    A window of its own is a process of its own, so that no end of one can touch the work in another.
-    """
-    dispatch(SourceAsked(sources[0]))
-    others = sources[1:_MOST_WINDOWS]
-    failed = [path for path in others if not _started(path)]
-    if failed:
-        refusal = f"{Path(failed[0]).name}: no further window can be started; open the file from the menu."
-        dispatch(MessageShown(refusal, is_refusal=True))
-    elif len(sources) > _MOST_WINDOWS:
+    """Open the first of some files in the window they were dropped on, and each other one in a window of its own."""
+    for k, source in enumerate(sources[:_MOST_WINDOWS]):
+        dispatch(SourceAsked(source, elsewhere=k > 0))
+    if len(sources) > _MOST_WINDOWS:
         text = f"Opened the first {_MOST_WINDOWS} of {len(sources)} files; drop the others again."
         dispatch(MessageShown(text))
-
-
-def _started(path: str) -> bool:
-    is_started, _process = QProcess.startDetached(sys.executable, ["-m", "qovr_app", path], str(Path(path).parent))
-    return is_started

@@ -1,4 +1,4 @@
-"""What is asked of the window about itself: help, keys, versions, the palette; and to end."""
+"""What is asked of the window about itself: help, keys, versions, the palette."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 from html import escape
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QApplication, QWidget
+from PySide6.QtWidgets import QWidget
 
 from qovr_app.dialogs.help_dialog import HelpDialog
 from qovr_app.dialogs.sheet import Sheet
@@ -36,7 +36,6 @@ class HelpShell:
             requests.KeysAsked: self._show_keys,
             requests.AboutAsked: self._show_about,
             requests.PaletteAsked: self._show_palette,
-            requests.QuitAsked: lambda _asked: QApplication.closeAllWindows(),
         }
 
     def _show_help(self, _request: requests.HelpAsked) -> None:

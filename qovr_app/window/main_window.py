@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QByteArray, QEvent, QPoint, QSize, QTimer
-from PySide6.QtGui import QCloseEvent, QDragEnterEvent, QDragMoveEvent, QDropEvent
-from PySide6.QtWidgets import QLabel, QMainWindow, QVBoxLayout, QWidget
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QMainWindow, QVBoxLayout, QWidget
 
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, EditorState, first_state
-from qovr_app.state.intents import Configured, Opened
+from qovr_app.state.intents import Configured
 from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.store import Store
 from qovr_app.style.palette import set_theme, theme_in_force
@@ -21,8 +21,9 @@ from qovr_app.window.application import NAME
 from qovr_app.window.commands import command_table
 from qovr_app.window.context_menus import show_context_menu
 from qovr_app.window.document_shell import DocumentShell
-from qovr_app.window.drops import dropped_sources, open_each, take
+from qovr_app.window.drops import Drops
 from qovr_app.window.export_shell import ExportShell
+from qovr_app.window.facts import Facts
 from qovr_app.window.folder import Folder
 from qovr_app.window.help_shell import HelpShell
 from qovr_app.window.history_menu import HistoryMenu
@@ -31,13 +32,15 @@ from qovr_app.window.layout_shell import LayoutShell
 from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
 from qovr_app.window.message_line import MessageLine
 from qovr_app.window.outside import FileWatch, OutsideOffer
-from qovr_app.window.placing import fit_into_screen
+from qovr_app.window.placing import fit_into_screen, place_beside
 from qovr_app.window.preferences import Preferences
 from qovr_app.window.recovery import RecoveryStore
 from qovr_app.window.recovery_offer import RecoveryOffer
 from qovr_app.window.recovery_writer import RecoveryWriter
 from qovr_app.window.shell import Shell
 from qovr_app.window.sources import opened_source
+from qovr_app.window.window_menu import WindowList, window_answers
+from qovr_app.window.windows import Windows
 from qovr_app.work.notices import Notices
 from qovr_app.work.worker import Worker
 from qovr_core.files.sources import PRESET_PREFIX
@@ -57,25 +60,30 @@ class MainWindow(QMainWindow):
     ----------
     source : what to open; None shows the paper's own example
     preferences : what is remembered from one start to the next; None for a window that remembers nothing
+    windows : those of this process, which it joins; None for a window by itself
 
     Raises
     ------
     QovrError : the source cannot be read
     """
 
-    def __init__(self, source: str | None = None, preferences: Preferences | None = None) -> None:
+    def __init__(
+        self, source: str | None = None, preferences: Preferences | None = None, windows: Windows | None = None
+    ) -> None:
         super().__init__()
         self.setObjectName("main_window")
-        self.setAcceptDrops(True)
-        self._preferences = preferences
+        self._preferences, self._is_asked = preferences, False
+        self._windows = windows or Windows(MainWindow)
         self._recovery: RecoveryWriter | None = None
         turn = QTimer(self, singleShot=True, interval=0)
-        self.store = Store(_state_of(opened_source(source or _FIRST_SOURCE), preferences), turn.start)
+        self.store = Store(_first_state(source, preferences), turn.start)
         turn.timeout.connect(self.store.flush)
         self.worker, self._notices = Worker(self), Notices(self)
         self.parts = Layout(self.store, self.worker, self)
         folder, commit = Folder(preferences), self.parts.commit_typed
-        self._documents = DocumentShell(self.store, self, folder, self.worker, commit)
+        self._documents = DocumentShell(
+            self.store, self, folder, self.worker, commit_typed=commit, windows=self._windows
+        )
         view_writer = self.parts.view_frame.figure_writer
         exports = ExportShell(
             self.store, self, folder, self.worker, preferences, view_writer=view_writer, commit_typed=commit
@@ -86,14 +94,14 @@ class MainWindow(QMainWindow):
         shell = Shell(
             parts.answers,
             HelpShell(lambda: self._actions, self).answers,
+            window_answers(self._windows, self),
             self._documents.answers,
             exports.answers,
             self._offer.answers,
         )
         self.store.answer_with(shell.perform)
         self._actions = Actions(command_table(), self.store, self)
-        self._facts = QLabel(self)
-        self._facts.setObjectName("surface.facts")
+        self._facts = Facts(self)
         self._actions.give_single_keys(self.parts.view_frame)
         self.parts.view_frame.menu_asked.connect(
             lambda wish, at: show_context_menu(wish, at, self._actions, self.store.dispatch, self)
@@ -104,9 +112,11 @@ class MainWindow(QMainWindow):
         self._restore_layout()
         self.store.dispatch(Configured())
         self.store.flush()
-        own = (self._actions.show_state, self._message.show_state, self._outside.show_state, self._show_state)
-        for show in (*self.parts.shows, *own):
+        own = (self._actions.show_state, self._message.show_state, self._outside.show_state, self._facts.show_state)
+        for show in (*self.parts.shows, *own, self._show_state):
             self.store.subscribe(show)
+        Drops(self, self.store.dispatch)
+        self._windows.add(self)
 
     @property
     def view(self) -> View3D:
@@ -145,12 +155,11 @@ class MainWindow(QMainWindow):
         menus["File"].insertMenu(presets, recent)
         history = HistoryMenu(lambda: self.store.state.history, self.store.dispatch, self)
         menus["Edit"].insertMenu(self._actions["copy"], history)
+        WindowList(self._windows, menus["Window"], self)
         self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)
 
     def _show_state(self, before: EditorState | None, after: EditorState) -> None:
-        if after.differs(before, "document", "evaluation"):
-            self._facts.setText(_facts_text(after))
         if after.display.theme is not theme_in_force().name:
             set_theme(after.display.theme)  # the palette, and so every widget, follows the state
         if before is not None and self._preferences and after.display != before.display:
@@ -179,6 +188,7 @@ class MainWindow(QMainWindow):
             self.restoreGeometry(self._preferences.bytes_of("geometry"))
             for name in self.parts.layout_states():
                 self.parts.restore_layout(name, self._preferences.bytes_of(name))
+        place_beside(self, self._windows.last_used)
         fit_into_screen(self)
         self._places = self._layout_states()
 
@@ -191,21 +201,18 @@ class MainWindow(QMainWindow):
             if self._preferences and state != self._places[name]:
                 self._preferences.set_bytes(name, state)
 
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
-        take(event)
+    def may_close(self) -> bool:
+        """Ask about what is not saved, what is just being typed included; return whether the window may go."""
+        self.parts.commit_typed()
+        return self._documents.may_leave()
 
-    def dragMoveEvent(self, event: QDragMoveEvent) -> None:
-        take(event)
-
-    def dropEvent(self, event: QDropEvent) -> None:
-        if take(event):
-            sources = dropped_sources(event)
-            # Whatever is asked waits until the drop has ended: its source waits for that too.
-            QTimer.singleShot(0, self, lambda: open_each(sources, self.store.dispatch))
+    def leave(self) -> None:
+        """Close; what is not saved was asked about."""
+        self._is_asked = True
+        self.close()
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        self.parts.commit_typed()
-        if not self._documents.may_leave():
+        if not self._is_asked and not self.may_close():
             event.ignore()
             return
         self._end(keeps_unsaved=False)
@@ -218,6 +225,7 @@ class MainWindow(QMainWindow):
         self._end(keeps_unsaved=True)
 
     def _end(self, *, keeps_unsaved: bool) -> None:
+        self._windows.remove(self)
         self._watch.close()
         self._remember_layout()
         self._offer.release()
@@ -227,21 +235,12 @@ class MainWindow(QMainWindow):
             self._recovery.close(is_wanted=keeps_unsaved)
 
 
-def _state_of(opened: Opened, preferences: Preferences | None) -> EditorState:
-    """Return the state with which a window begins that shows what was opened."""
+def _first_state(source: str | None, preferences: Preferences | None) -> EditorState:
+    """Return the state with which a window begins that shows a source."""
+    opened = opened_source(source or _FIRST_SOURCE)
     display = DisplaySettings(theme=theme_in_force().name)
     tools = None
     if preferences:
         display, tools = preferences.display(display), preferences.tools
-    file = DocumentFile(opened.title, opened.path, opened.stamp, opened.stamp)
+    file = DocumentFile(opened.title, opened.path, opened.stamp, opened.stamp, opening=int(source is not None))
     return first_state(opened.document, file, display, tools)
-
-
-def _facts_text(state: EditorState) -> str:
-    """Return what the status bar says of the surface configured last."""
-    if state.evaluation is None:
-        return "no surface "
-    (degree_u, degree_v), document = state.evaluation.degree, state.evaluation.document
-    n, m = document.samples
-    stale = "stale   " if state.is_stale else ""
-    return f"{stale}{document.formulation}   {n} × {m} samples   degree {degree_u} × {degree_v} "

@@ -8,6 +8,9 @@ from PySide6.QtWidgets import QWidget
 _FRAME = 32
 """Logical pixels that the system's frame may take around and above a window that was not shown yet."""
 
+_ASIDE = 28
+"""Logical pixels: a title bar's height, so that the title of the window behind can be read."""
+
 
 def fit_into_screen(window: QWidget) -> None:
     """Move and shrink a window until all of it is on its screen; one kept from a larger screen need not be."""
@@ -18,6 +21,12 @@ def fit_into_screen(window: QWidget) -> None:
     inside = fitted(window.geometry(), room)
     if inside != window.geometry():
         window.setGeometry(inside)
+
+
+def place_beside(window: QWidget, other: QWidget | None) -> None:
+    """Give a window the size of another one, and move it a little aside so that both are seen."""
+    if other is not None and not other.isMaximized() and not other.isFullScreen():
+        window.setGeometry(other.geometry().translated(_ASIDE, _ASIDE))
 
 
 def fitted(place: QRect, room: QRect) -> QRect:

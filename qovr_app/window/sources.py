@@ -52,6 +52,16 @@ def is_large(source: str) -> bool:
         return False  # reading will say why
 
 
+def place_of(source: str) -> Path | None:
+    """Return where a source really stands; None for what is no file.
+
+    Raises
+    ------
+    QovrError, OSError : it cannot be told
+    """
+    return None if source.startswith(PRESET_PREFIX) else Path(local_path(source)).resolve()
+
+
 def written_document(document: Document, path: Path) -> tuple[Path, Stamp | None]:
     """Write a document to a path; return where it really stands, and its stamp.
 

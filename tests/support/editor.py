@@ -7,6 +7,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDialog, QLabel, QLineEdit, QWidget
 
+from qovr_app.main import open_windows
 from qovr_app.state.intents import Saved, ZoneRead
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
 
@@ -31,6 +32,12 @@ def wait_until(happened, seconds=30.0):
             return
         QTest.qWait(10)
     raise AssertionError("it did not happen in time")
+
+
+def opened_windows():
+    """Return the main windows that are shown, in the order in which they were opened."""
+    QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+    return [window for window in open_windows().all if window.isVisible()]
 
 
 class Editor:

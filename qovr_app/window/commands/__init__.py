@@ -6,6 +6,7 @@ from qovr_app.window.commands.points import point_commands, selection_commands
 from qovr_app.window.commands.tools import go_commands, help_commands, laboratory_commands, probe_commands
 from qovr_app.window.commands.tools_of_points import tool_commands
 from qovr_app.window.commands.view import view_commands
+from qovr_app.window.commands.windows import window_commands
 
 __all__ = ["Command", "command_table"]
 
@@ -23,5 +24,6 @@ def command_table() -> tuple[Command, ...]:
         *go_commands(),
         *laboratory_commands(),
         *probe_commands(),
+        *window_commands(),
         *help_commands(),
     )

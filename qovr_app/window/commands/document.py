@@ -33,6 +33,14 @@ def file_commands() -> tuple[Command, ...]:
             for name, shape in SHAPES.items()
         ),
         Command("open", "&Open…", asking(requests.OpenAsked()), menu, _Key.Open),
+        Command(
+            "open_elsewhere",
+            "Open in New &Window…",
+            asking(requests.OpenAsked(elsewhere=True)),
+            menu,
+            "Ctrl+Shift+O",
+            "Open a file beside this document, or in this window where nothing was done in it",
+        ),
         *(
             Command(
                 f"preset_{name}",

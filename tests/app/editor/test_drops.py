@@ -9,9 +9,9 @@ from qovr_app.laboratory.panels import PANELS
 from qovr_app.state.intents import SamplesChosen
 from qovr_app.state.looking_intents import PanelShown
 from qovr_app.state.requests import SourceAsked
-from qovr_app.window import drops
 from qovr_core.files import read_source, write_document
 from support.documents import random_document
+from support.editor import opened_windows
 
 NAMES = ["a b.qovr", "a%20b.qovr", "a#b?c&d.qovr", "ä µ.qovr", "<b>&x[*]<img src=x>.qovr"]
 MARKUP = NAMES[-1]
@@ -22,21 +22,14 @@ def drop(editor, paths, modifiers=Qt.KeyboardModifier.NoModifier, actions=None):
     data.setUrls([QUrl.fromLocalFile(str(path)) for path in paths])
     actions = actions or Qt.DropAction.CopyAction | Qt.DropAction.MoveAction
     enter = QDragEnterEvent(QPoint(9, 9), actions, data, Qt.MouseButton.LeftButton, modifiers)
-    editor.window.dragEnterEvent(enter)
+    QApplication.sendEvent(editor.window, enter)
     event = QDropEvent(QPoint(9, 9), actions, data, Qt.MouseButton.LeftButton, modifiers)
     event.setDropAction(Qt.DropAction.MoveAction)
-    editor.window.dropEvent(event)
+    QApplication.sendEvent(editor.window, event)
     return enter, event
 
 
-@pytest.fixture
-def started(monkeypatch):
-    paths = []
-    monkeypatch.setattr(drops, "_started", lambda path: paths.append(path) or True)
-    return paths
-
-
-def test_a_drop_is_a_copy_and_asks_when_it_has_ended(editor, home, monkeypatch, started):
+def test_a_drop_is_a_copy_and_asks_when_it_has_ended(editor, home, monkeypatch):
     write_document(random_document(1), home / "one.qovr")
     editor.dispatch(SamplesChosen((7, 9)))
     asked = []
@@ -47,24 +40,26 @@ def test_a_drop_is_a_copy_and_asks_when_it_has_ended(editor, home, monkeypatch, 
     assert asked == []
     editor.settle()
     assert asked == [True]
-    assert started == []
 
 
-def test_each_of_several_files_is_opened(editor, home, started):
+def test_each_of_several_files_is_opened(editor, home):
     for k, name in enumerate(NAMES):
         write_document(random_document(k), home / name)
     (home / "notes.txt").write_text("x")
     drop(editor, [home / name for name in [*NAMES, "notes.txt"]])
     editor.settle()
-    assert editor.document == random_document(0)
-    assert started == [str(home / name) for name in NAMES[1:]]
+    shown = opened_windows()
+    assert shown[0] is editor.window
+    assert [window.store.state.document for window in shown] == [random_document(k) for k in range(len(NAMES))]
+    for window in shown[1:]:
+        window.close()
 
 
-def test_what_cannot_be_opened_is_not_accepted(editor, home, started):
+def test_what_cannot_be_opened_is_not_accepted(editor, home):
     enter, _event = drop(editor, [home / "notes.txt"])
     editor.settle()
     assert not enter.isAccepted()
-    assert started == []
+    assert opened_windows() == [editor.window]
 
 
 @pytest.mark.parametrize("name", NAMES)
