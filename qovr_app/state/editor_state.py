@@ -178,12 +178,6 @@ class EditorState:
         return not self.history.is_saved or self.has_pending
 
     @property
-    def is_untouched(self) -> bool:
-        """Whether the window shows what it began with, and nothing that anybody would miss."""
-        says_refusal = self.message is not None and self.message.is_refusal
-        return not (self.file.opening or self.history.steps or self.has_pending or says_refusal)
-
-    @property
     def pending(self) -> Document:
         """The document as it would be if all that is typed were set."""
         return with_typed(self.draft, self.texts)

@@ -27,7 +27,7 @@ from qovr_app.window.sources import (
     place_of,
     written_document,
 )
-from qovr_app.window.windows import Windows, bring_forward
+from qovr_app.window.windows import Windows, bring_forward, is_untouched
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
 from qovr_core.files import source_suffixes
@@ -87,7 +87,7 @@ class DocumentShell:
         """Open a file or a preset; what another window has open is shown there, what cannot be read changes nothing."""
         if self._is_shown_elsewhere(request.source):
             return
-        is_elsewhere = request.elsewhere and not self._state.is_untouched
+        is_elsewhere = request.elsewhere and not is_untouched(self._state)
         if not is_elsewhere and not self.may_leave():
             return
         opened = self._read(request.source)

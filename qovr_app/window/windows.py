@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QApplication, QWidget
 
+from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Opened
 from qovr_app.state.requests import SourceAsked
 
@@ -104,6 +105,12 @@ class Windows:
         window.show()
         bring_forward(window)
         return window
+
+
+def is_untouched(state: EditorState) -> bool:
+    """Whether a window shows what it began with, and nothing that anybody would miss."""
+    says_refusal = state.message is not None and state.message.is_refusal
+    return not (state.file.opening or state.history.steps or state.has_pending or says_refusal)
 
 
 def bring_forward(window: QWidget) -> None:

@@ -14,6 +14,7 @@ from qovr_app.state.requests import SourceAsked
 from qovr_app.window import post as post_module
 from qovr_app.window.post import Post
 from qovr_app.window.process_lock import Hold
+from qovr_app.window.windows import is_untouched
 from qovr_core.files import read_document, write_document
 from support.command import QOVR
 from support.documents import random_document
@@ -80,7 +81,7 @@ def test_a_file_that_another_window_has_open_is_shown_there(editor, files, other
         other.store.dispatch(SourceAsked(str(name)))
         spin(editor.window.isActiveWindow)
     assert len(others()) == 1
-    assert other.store.state.is_untouched
+    assert is_untouched(other.store.state)
 
 
 def test_no_window_saves_over_the_file_of_another(editor, files, others, monkeypatch):
