@@ -15,10 +15,10 @@ Rgb = tuple[int, int, int]
 class Theme:
     """One set of colours.
 
-    Of picture and plots: ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``accent`` is the
-    control points and what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim`` parts marks from
-    the surface, ``undefined`` is the surface where what it shows has no value, ``comparison`` the lines of another
-    surface over it; ``series`` are five lines in one plot, by P_0..P_4 where they belong to points.
+    Of picture and plots: ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``point`` is a
+    control point and ``selected`` what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim`` parts
+    marks from the surface, ``undefined`` is the surface where what it shows has no value, ``comparison`` the lines of
+    another surface over it; ``series`` are five lines in one plot, by P_0..P_4 where they belong to points.
 
     Of fields and marks: ``cell`` and ``edge`` are a field at rest, ``hover`` its edge under the pointer, ``idle_ink``
     writes a number without effect; ``accent`` marks focus and what is not yet set, ``warn`` what will surprise, ``bad``
@@ -37,6 +37,8 @@ class Theme:
     ink: Rgb
     quiet_ink: Rgb
     accent: Rgb
+    point: Rgb
+    selected: Rgb
     rim: Rgb
     net: Rgb
     row_curve: Rgb
@@ -77,6 +79,8 @@ _THEMES = {
         ink=(32, 36, 42),
         quiet_ink=(92, 98, 107),
         accent=(28, 100, 216),
+        point=(52, 60, 72),
+        selected=(208, 90, 0),
         rim=(255, 255, 255),
         net=(70, 78, 90),
         row_curve=(16, 20, 26),
@@ -115,6 +119,8 @@ _THEMES = {
         ink=(232, 234, 238),
         quiet_ink=(166, 172, 181),
         accent=(92, 157, 255),
+        point=(206, 212, 222),
+        selected=(255, 148, 56),
         rim=(24, 26, 30),
         net=(190, 196, 206),
         row_curve=(245, 246, 248),

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-import numpy.typing as npt
 
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.gizmo import gizmo_at
 from qovr_app.view3d.scene.grip import Freedom
 from qovr_app.view3d.scene.hand import MenuPlace, MenuWish
+from qovr_app.view3d.scene.net_marks import Numbers, flags_of
 from qovr_app.view3d.scene.occlusion import hidden_by
 from qovr_app.view3d.scene.picture import Picture, is_in_colour_bar
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, Flags
 from qovr_core.document import NetIndex
 
 PICK_RADIUS = 10.0
@@ -36,9 +36,8 @@ def points_under(picture: Picture, size: Size, x: float, y: float) -> list[NetIn
     away = np.hypot(seen[:, 0] - x, seen[:, 1] - y)
     near = np.flatnonzero(away <= PICK_RADIUS)  # points behind the eye are NaN, and near to nothing
     near = near[np.lexsort((seen[near, 2], np.floor(away[near] / _SAME_PLACE)))]
-    return [
-        index for index, is_hidden in _with_hidden(picture, size, near) if not is_hidden or index in picture.selected
-    ]
+    selected = flags_of(picture.selected, picture.scene.net_shape).ravel()[near]
+    return _indices(picture, near[selected | ~_hidden(picture, size, near)])
 
 
 def points_within(
@@ -50,7 +49,7 @@ def points_within(
     (left, right), (top, bottom) = (sorted(ends) for ends in zip(corner, other, strict=True))
     x, y, _ = picture.camera.project(picture.scene.points.reshape(-1, 3), size).T
     within = np.flatnonzero((x >= left) & (x <= right) & (y >= top) & (y <= bottom))
-    return [index for index, is_hidden in _with_hidden(picture, size, within) if not is_hidden]
+    return _indices(picture, within[~_hidden(picture, size, within)])
 
 
 def net_line_under(picture: Picture, size: Size, x: float, y: float) -> list[NetIndex]:
@@ -87,14 +86,17 @@ def menu_wish(picture: Picture, size: Size, x: float, y: float) -> MenuWish:
     return MenuWish(MenuPlace.NET_LINE, (x, y), tuple(line)) if line else MenuWish(MenuPlace.VIEW, (x, y))
 
 
-def _with_hidden(picture: Picture, size: Size, numbers: npt.NDArray[np.intp]) -> list[tuple[NetIndex, bool]]:
-    """Return the indices of points, counted through the net, each with whether the surface keeps it from the hand."""
-    if not len(numbers):
-        return []
-    _, columns = picture.scene.net_shape
-    points = picture.scene.points.reshape(-1, 3)[numbers]
-    hidden = np.zeros(len(numbers), dtype=bool) if picture.tools.xray else hidden_by(picture, points, size)
-    return [(divmod(number, columns), behind) for number, behind in zip(numbers.tolist(), hidden.tolist(), strict=True)]
+def _hidden(picture: Picture, size: Size, numbers: Numbers) -> Flags:
+    """Return which points, counted through the net, the surface keeps from the hand."""
+    if picture.tools.xray or not len(numbers):
+        return np.zeros(len(numbers), dtype=bool)
+    return hidden_by(picture, picture.scene.points.reshape(-1, 3)[numbers], size)
+
+
+def _indices(picture: Picture, numbers: Numbers) -> list[NetIndex]:
+    """Return the indices of points that are counted through the net."""
+    rows, columns = np.unravel_index(numbers, picture.scene.net_shape)
+    return list(zip(rows.tolist(), columns.tolist(), strict=True))
 
 
 def _away(at: Array, starts: Array, ends: Array) -> Array:

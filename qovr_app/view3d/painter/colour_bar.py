@@ -38,6 +38,9 @@ _NOTE_ROOM, _BORDER = 100.0, 2.0
 """At the left of the bar, for what its numbers share; and between that and the viewport's border."""
 
 _FACTOR_GAP = 9.0
+_NOTE_GAP = 10.0
+"""What is kept free around the bar: half a line, and over it a line for what its numbers share."""
+
 _PLAIN_POWERS = range(-1, 4)
 """Powers of ten of numbers that are written in full; what is smaller or larger has its power over the bar."""
 
@@ -49,6 +52,12 @@ def bar_rect(size: Size) -> QRectF:
     """Return where the bar itself lies, in logical pixels."""
     height = min(size[1] * _PART_OF_HEIGHT, _TALLEST)
     return QRectF(round(size[0] - _RIGHT), round((size[1] - height) / 2), _WIDTH, round(height))
+
+
+def bar_room(size: Size) -> tuple[float, float, float, float]:
+    """Return left, top, right and bottom of the bar with what is written around it, in logical pixels."""
+    rect = bar_rect(size)
+    return rect.left() - _NOTE_GAP, rect.top() - 2 * _NOTE_GAP, size[0], rect.bottom() + _NOTE_GAP
 
 
 @dataclass(frozen=True)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,12 +11,17 @@ from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.style.theme import Rgb
+from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.frame import Frame
+from qovr_app.view3d.scene.net_marks import gaps
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, Flags
 
-_PIECES = 8
-"""Pieces of a net or box edge: where the surface hides it is found to an eighth of its length."""
+_PIECES, _LINE_PIECES = 8, 48
+"""Pieces of a net or box edge, and of a whole line of the net: where the surface hides one is found to a piece."""
+
+_LEAST_GAP, _LEAST_LINES = 8.0, 32
+"""Pixels between lines of a net, which are fewer where more would be a grey ground; but never fewer than so many."""
 
 COMPARISON_WIDTH = 1.2
 _NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
@@ -33,7 +39,7 @@ class Lines:
     straight: int = 1
 
 
-def lines_of(picture: Picture) -> list[Lines]:
+def lines_of(picture: Picture, size: Size) -> list[Lines]:
     """Return the lines to draw, lowest first."""
     settings, scene, theme = picture.settings, picture.scene, picture.theme
     found = []
@@ -44,7 +50,9 @@ def lines_of(picture: Picture) -> list[Lines]:
         edges = _box_edges(scene.frame, scene.surface_box)
         found.append(Lines(edges, theme.axis, _BOX_WIDTH, _PIECES))
     if settings.control_net:
-        found += [Lines(_divided(net), theme.net, _NET_WIDTH, _PIECES) for net in _net_lines(scene.points)]
+        for net in _net_lines(picture, size):
+            pieces = max(1, min(_PIECES, _LINE_PIECES // (net.shape[1] - 1)))
+            found.append(Lines(_divided(net, pieces), theme.net, _NET_WIDTH, pieces))
     if settings.row_curves:
         found.append(Lines(scene.row_curves, theme.row_curve, _CURVE_WIDTH))
     if settings.column_curves:
@@ -81,18 +89,29 @@ def draw_lines(painter: QPainter, lines: Lines, seen: Array, hidden: Flags) -> N
         painter.drawLines(straight)
 
 
-def _divided(corners: Array) -> Array:
-    """Return polylines (k, n, 3) with every straight piece cut into ``_PIECES``."""
-    part = np.arange(_PIECES)[:, None] / _PIECES
+def _divided(corners: Array, count: int = _PIECES) -> Array:
+    """Return polylines (k, n, 3) with every straight piece cut into so many."""
+    part = np.arange(count)[:, None] / count
     starts, ends = corners[:, :-1, None], corners[:, 1:, None]
     pieces = (starts + (ends - starts) * part).reshape(len(corners), -1, 3)
     return np.concatenate([pieces, corners[:, -1:]], axis=1)
 
 
-def _net_lines(points: Array) -> list[Array]:
-    """Return the rows and columns of a net (k, l, 3) as polylines: in one array where they are equally long."""
+def _net_lines(picture: Picture, size: Size) -> list[Array]:
+    """Return rows and columns of the net (k, l, 3) as polylines: in one array where they are equally long."""
+    points = picture.scene.points
     rows, columns = points, points.transpose(1, 0, 2)
-    return [np.concatenate([rows, columns])] if rows.shape == columns.shape else [rows, columns]
+    if max(points.shape) > _LEAST_LINES:
+        across, along = gaps(picture.camera.project(points, size))
+        rows, columns = _some(rows, along), _some(columns, across)
+    return [np.concatenate([rows, columns])] if rows.shape[1:] == columns.shape[1:] else [rows, columns]
+
+
+def _some(lines: Array, gap: float) -> Array:
+    """Return every 2nd, 4th, ... line and the last one where they are seen so many pixels apart."""
+    wanted = _LEAST_GAP / max(gap, _LEAST_GAP / len(lines))
+    step = 2 ** min(math.ceil(math.log2(max(1.0, wanted))), (len(lines) // _LEAST_LINES).bit_length() - 1)
+    return lines[np.unique(np.append(np.arange(0, len(lines), step), len(lines) - 1))] if step > 1 else lines
 
 
 def _box_edges(frame: Frame, box: Array) -> Array:

@@ -6,64 +6,77 @@ import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QPainter, QPen
 
-from qovr_app.style.canvas import dimmed
-from qovr_app.view3d.painter.text import draw_text
-from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.painter.colour_bar import bar_room
+from qovr_app.view3d.painter.discs import Disc, draw_discs
+from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.net_marks import OTHER, flags_of, gaps, is_within, levels, ranks, with_room
+from qovr_app.view3d.scene.picture import Picture, has_colour_bar
 from qovr_core.arrays import Array, Flags
-from qovr_core.document import NetIndex
 
 POINT_RADIUS = 4.5
+_LEAST_RADIUS, _PART_OF_GAP = 1.0, 0.36
+"""Where the points of a net crowd their discs are smaller, so that they stay apart."""
+
 _MARKED_RADIUS, _RING_RADIUS = 6.0, 10.0
-_RING_WIDTH, _THIN_RING_WIDTH = 2.4, 1.2
-"""Of the point that was selected last, and of the others with it."""
+_RING_WIDTH = 2.4
 
 _LABEL_OFFSET = (6.0, -4.0)
-_LABEL_ROOM = (24.0, 13.0)
-"""Logical pixels across a label and down: one that begins within these of another would lie on it."""
+_LABEL_RISE = 0.75
+"""Part of a name's height that lies above its anchor."""
 
-_HIDDEN = 0.45
-"""Opacity of points and names that the surface hides."""
+_CROWDED, _MOST_ROOM = 1.5, 3.0
+"""Names need this many times their width between points, or they take up to so many times their room."""
+
+_HIDDEN, _SEEN_THROUGH = 0.45, 0.75
+"""Opacity of points that the surface hides: as a rule, and where one looks through it."""
 
 
-def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags) -> None:
+def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags, size: Size) -> None:
     """Draw the control points at pixels (k, l, 2), dim where they are hidden, (k, l)."""
-    theme, marked = picture.theme, set(_marked(picture))
-    for index in np.ndindex(hidden.shape):
-        x, y = seen[index].tolist()
-        if not np.isfinite(x):
+    theme, radius = picture.theme, _radius(seen)
+    selected, is_seen = flags_of(picture.selected, hidden.shape), is_within(seen, size)
+    dim = _SEEN_THROUGH if picture.tools.xray else _HIDDEN
+    for flags, opacity in ((hidden & ~selected, dim), (~hidden & ~selected, 1.0)):
+        draw_discs(painter, seen[flags & is_seen], size, Disc(radius, theme.point, theme.rim, opacity))
+    marked_radius = _MARKED_RADIUS * max(radius, 2 * _LEAST_RADIUS) / POINT_RADIUS
+    draw_discs(painter, seen[selected & is_seen], size, Disc(marked_radius, theme.selected, theme.rim))
+    for index in (picture.last_selected, picture.hovered):
+        if index is None or not is_seen[index]:
             continue
-        centre = QPointF(x, y)
-        with dimmed(painter, _HIDDEN if hidden[index] and index not in marked else 1.0):
-            if index in picture.selected:
-                width = _RING_WIDTH if index == picture.last_selected else _THIN_RING_WIDTH
-                painter.setPen(QPen(QColor(*theme.accent), width))
-                painter.setBrush(QColor(*theme.rim))
-                painter.drawEllipse(centre, _RING_RADIUS, _RING_RADIUS)
-            painter.setPen(QPen(QColor(*theme.rim), 1.4))
-            painter.setBrush(QColor(*theme.accent))
-            radius = _MARKED_RADIUS if index in marked else POINT_RADIUS
-            painter.drawEllipse(centre, radius, radius)
+        if index == picture.last_selected:
+            painter.setBrush(QColor(*theme.rim))
+            painter.setPen(QPen(QColor(*theme.selected), _RING_WIDTH))
+            painter.drawEllipse(QPointF(*seen[index].tolist()), _RING_RADIUS, _RING_RADIUS)
+        colour = theme.selected if selected[index] else theme.point
+        draw_discs(painter, seen[index][None], size, Disc(_MARKED_RADIUS, colour, theme.rim))
 
 
-def draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: Flags) -> None:
-    """Name the points; where they crowd, those marked and then those in front have the right of way."""
-    theme, marked, taken = picture.theme, _marked(picture), list[tuple[float, float]]()
-    in_front, behind = ([(i, j) for i, j in np.argwhere(flags).tolist()] for flags in (~hidden, hidden))
-    for i, j in dict.fromkeys([*marked, *in_front, *behind]):
-        if not np.isfinite(seen[i, j]).all():
-            continue
-        x, y = (seen[i, j] + _LABEL_OFFSET).tolist()
-        if any(abs(x - a) < _LABEL_ROOM[0] and abs(y - b) < _LABEL_ROOM[1] for a, b in taken):
-            continue
-        taken.append((x, y))
-        is_marked = (i, j) in marked
-        opacity = _HIDDEN if hidden[i, j] and not is_marked else 1.0
-        ink = theme.accent if is_marked else theme.ink
-        runs = (("P", False), (f"{i},{j}", True))
-        draw_text(painter, runs, (x, y), (0, 0.75), ink, halo=theme.rim, opacity=opacity)
+def _radius(seen: Array) -> float:
+    return round(min(POINT_RADIUS, max(_LEAST_RADIUS, _PART_OF_GAP * max(gaps(seen)))), 1)
 
 
-def _marked(picture: Picture) -> list[NetIndex]:
-    """Return the points that stand out, the one that was selected last first."""
-    marked = (picture.last_selected, picture.hovered, *sorted(picture.selected))
-    return list(dict.fromkeys(index for index in marked if index is not None))
+def draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: Flags, size: Size) -> None:
+    """Name the points that are visible, hovered or selected, as far as the names have room."""
+    theme, rank, (rows, columns) = picture.theme, ranks(picture), hidden.shape
+    wanted = (rank != OTHER) | ~hidden
+    i, j = np.nonzero(wanted & is_within(seen, size))
+    if not len(i):
+        return
+    order = np.lexsort((-levels((rows, columns))[i, j], rank[i, j]))
+    i, j = i[order], j[order]
+    width, height = text_size(_name(rows - 1, columns - 1), SMALL)
+    corners = seen[i, j] + _LABEL_OFFSET - [0.0, _LABEL_RISE * height]
+    more = float(np.clip(_CROWDED * width / max(*gaps(seen), _LEAST_RADIUS), 1.0, _MOST_ROOM))
+    taken = np.array([bar_room(size)] if has_colour_bar(picture.settings, size) else []).reshape(-1, 4)
+    marked = int((rank[i, j] != OTHER).sum())
+    chosen, opacities = with_room(corners, (more * width, more * height), taken, marked)
+    for number, opacity in zip(chosen.tolist(), opacities.tolist(), strict=True):
+        is_marked = number < marked
+        ink = theme.selected if is_marked and (i[number], j[number]) != picture.hovered else theme.ink
+        at = tuple((seen[i[number], j[number]] + _LABEL_OFFSET).tolist())
+        draw_text(painter, _name(i[number], j[number]), at, (0, _LABEL_RISE), ink, halo=theme.rim, opacity=opacity)
+
+
+def _name(i: int, j: int) -> Runs:
+    return (("P", False), (f"{i},{j}", True))

@@ -6,7 +6,6 @@ drawn dim, so that it can still be seen and picked.
 
 from __future__ import annotations
 
-import numpy as np
 from PySide6.QtCore import QLineF
 from PySide6.QtGui import QColor, QPainter, QPen
 
@@ -18,7 +17,7 @@ from qovr_app.view3d.painter.note import draw_hint, draw_note
 from qovr_app.view3d.painter.readout import draw_readout
 from qovr_app.view3d.painter.text import NORMAL, draw_text, plain, text_size
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.occlusion import hidden_by
+from qovr_app.view3d.scene.occlusion import hidden_among
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
 
 LEAVES_FRAME = "Something lies outside the axes: F fits"
@@ -30,21 +29,16 @@ _LEGEND, _LEGEND_LINE, _LEGEND_GAP = (14.0, 20.0), 22.0, 20.0
 def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
     """Draw everything that lies over the surface; the painter's units are logical pixels."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    families, points, settings = lines_of(picture), picture.scene.points, picture.settings
-    # In one query: asking the surface what it hides costs about as much for one mark as for all.
+    families, points, settings = lines_of(picture, size), picture.scene.points, picture.settings
     marks = [*(lines.points for lines in families), points]
-    every = np.concatenate([part.reshape(-1, 3) for part in marks])
-    seen, hidden = picture.camera.project(every, size)[:, :2], hidden_by(picture, every, size)
-    ends = np.cumsum([part.size // 3 for part in marks])[:-1]
-    seen_parts, hidden_parts = np.split(seen, ends), np.split(hidden, ends)
-    places = [part.reshape(*mark.shape[:2], 2) for part, mark in zip(seen_parts, marks, strict=True)]
-    flags = [part.reshape(mark.shape[:2]) for part, mark in zip(hidden_parts, marks, strict=True)]
+    flags = hidden_among(picture, marks, size)
+    places = [picture.camera.project(part, size)[..., :2] for part in marks]
     for lines, at, is_hidden in zip(families, places, flags, strict=False):
         draw_lines(painter, lines, at, is_hidden)
     if settings.control_points:
-        draw_points(painter, picture, places[-1], flags[-1])
+        draw_points(painter, picture, places[-1], flags[-1], size)
     if settings.labels:
-        draw_labels(painter, picture, places[-1], flags[-1])
+        draw_labels(painter, picture, places[-1], flags[-1], size)
     draw_hand(painter, picture, size)
     _draw_words(painter, picture, size)
 

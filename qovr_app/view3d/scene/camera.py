@@ -115,12 +115,19 @@ class Camera:
         -------
         (..., 3) float64: x, y in logical pixels and the depth; NaN where a point is not in front of the eye
         """
-        matrix = self.matrix(size)
-        clip = points @ matrix[:, :3].T + matrix[:, 3]
-        w = np.where(clip[..., 3:] > _BEHIND, clip[..., 3:], np.nan)
-        ndc: Array = clip[..., :3] / w
-        seen: Array = ndc * [size[0] / 2, -size[1] / 2, 1] + [size[0] / 2, size[1] / 2, 0]
+        matrix = self._screen_matrix(size)
+        seen: Array = points @ matrix[:3, :3].T + matrix[:3, 3]
+        if self.perspective:
+            w = points @ matrix[3, :3] + matrix[3, 3]
+            seen /= np.where(w > _BEHIND, w, np.nan)[..., None]
         return seen
+
+    @lru_cache(maxsize=8)  # noqa: B019 - as above
+    def _screen_matrix(self, size: Size) -> Array:
+        """Return the (4, 4) matrix from the unit space to pixels and depth, still to be divided by w, read-only."""
+        to_pixels = np.diag([size[0] / 2, -size[1] / 2, 1.0, 1.0])
+        to_pixels[:2, 3] = size[0] / 2, size[1] / 2
+        return read_only(to_pixels @ self.matrix(size))
 
     def unproject(self, screen: Array, size: Size) -> Array:
         """Return the points (..., 3) of the unit space that appear at x, y, depth (..., 3)."""

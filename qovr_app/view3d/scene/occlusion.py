@@ -6,7 +6,12 @@ holds it, then among their cells, and only the triangles of those cells are test
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
+from functools import lru_cache
+
 import numpy as np
+import numpy.typing as npt
 
 from qovr_app.state.display import Style
 from qovr_app.view3d.scene.camera import Camera, Size
@@ -31,6 +36,12 @@ _IN_FRONT = 0.012
 visible."""
 
 
+_AT_ONCE = 500
+"""Marks that are looked up together: what is compared for them stays in the processor's cache."""
+
+_LONG, _STEP = 64, 4
+"""Marks in a row from which only every so many are looked up at first."""
+
 _OPAQUE_STYLES = (Style.FACETS, Style.SMOOTH)
 
 
@@ -39,6 +50,54 @@ def hidden_by(picture: Picture, marks: Array, size: Size) -> Flags:
     if not picture.settings.surface or picture.settings.style not in _OPAQUE_STYLES:
         return np.zeros(len(marks), dtype=bool)
     return Occluder(picture.scene.patch, picture.camera, size).hidden(marks)
+
+
+def hidden_among(picture: Picture, marks: Sequence[Array], size: Size) -> list[Flags]:
+    """Return which marks of several arrays (k, n, 3) the surface hides, (k, n) each.
+
+    Of a long row of marks some are looked up, and those between them only where their ends differ.
+    """
+    if max(max(part.shape[:2]) for part in marks) <= _LONG:
+        return _hidden_in_one(picture, marks, size)
+    samples = [_Sampled(part.shape[:2]) for part in marks]
+    coarse = _hidden_in_one(picture, [part[each.at] for part, each in zip(marks, samples, strict=True)], size)
+    found = [each.spread(flags) for each, flags in zip(samples, coarse, strict=True)]
+    open_marks = [part[differ] for part, (_, differ) in zip(marks, found, strict=True)]
+    if any(map(len, open_marks)):
+        for (flags, differ), more in zip(found, _hidden_in_one(picture, open_marks, size), strict=True):
+            flags[differ] = more
+    return [read_only(flags) for flags, _ in found]
+
+
+def _hidden_in_one(picture: Picture, marks: Sequence[Array], size: Size) -> list[Flags]:
+    """Return the same in one query: asking the surface what it hides costs about as much for one mark as for all."""
+    shapes = [part.shape[:-1] for part in marks]
+    flags = hidden_by(picture, np.concatenate([part.reshape(-1, 3) for part in marks]), size)
+    ends = np.cumsum([math.prod(shape) for shape in shapes])[:-1]
+    return [part.reshape(shape) for part, shape in zip(np.split(flags, ends), shapes, strict=True)]
+
+
+class _Sampled:
+    """A grid of marks of which some are looked up."""
+
+    def __init__(self, shape: tuple[int, ...]) -> None:
+        self._along = [_sampled(count) for count in shape]
+        self.at = np.ix_(*(np.unique([lower, upper]) for lower, upper in self._along))
+
+    def spread(self, flags: Flags) -> tuple[Flags, Flags]:
+        """Return the flags of all marks as far as they are known, and which are not."""
+        rows, columns = ([np.searchsorted(np.unique(ends), end) for end in ends] for ends in self._along)
+        corners = [flags[np.ix_(row, column)] for row in rows for column in columns]
+        return corners[0].copy(), np.logical_or.reduce([corner != corners[0] for corner in corners[1:]])
+
+
+@lru_cache(maxsize=16)
+def _sampled(count: int) -> npt.NDArray[np.intp]:
+    """Return for each number below a count the sampled ones before and after it, (2, count)."""
+    step = _STEP if count > _LONG else 1
+    lower = np.arange(count) // step * step
+    upper = np.minimum(np.where(np.arange(count) == lower, lower, lower + step), count - 1)
+    return read_only(np.stack([lower, upper]))
 
 
 class Occluder:
@@ -61,8 +120,15 @@ class Occluder:
 
     def hidden(self, points: Array) -> Flags:
         """Return which points (k, 3) of the unit space lie behind the surface, (k,) bool."""
-        result = np.zeros(len(points), dtype=bool)
         marks = _seen(points, self._camera, self._size).T
+        if len(points) <= _AT_ONCE:
+            return read_only(self._hidden(marks))
+        parts = np.array_split(marks, max(1, len(points) // _AT_ONCE), axis=1)
+        return read_only(np.concatenate([self._hidden(part) for part in parts]))
+
+    def _hidden(self, marks: Array) -> Flags:
+        """Return which marks, (3, k) as seen, lie behind the surface."""
+        result = np.zeros(marks.shape[1], dtype=bool)
         mark, block = np.nonzero(_within(marks[..., None], self._low[:, None], self._high[:, None]))
         low, high = self._cell_low[:, block], self._cell_high[:, block]
         pair, cell = np.nonzero(_within(marks[:, mark, None], low, high))
@@ -71,7 +137,7 @@ class Occluder:
         at = marks[:, mark]
         for triangle in ((a, b, c), (a, c, d)):
             result[mark[_covers(*triangle, at)]] = True
-        return read_only(result)
+        return result
 
 
 def _within(at: Array, low: Array, high: Array) -> Flags:

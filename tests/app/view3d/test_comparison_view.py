@@ -173,8 +173,8 @@ def test_a_figure_shows_both(owner, tmp_path):
     view.save_figure(tmp_path / "both.png", FigureOptions(900, 480, None))
     image = QImage(str(tmp_path / "both.png"))
     halves = [image.copy(x, 0, 450, 480) for x in (0, 450)]
-    accent = view.picture().theme.accent
-    assert all(near(half, accent) > 200 for half in halves)
+    ink = view.picture().theme.point
+    assert all(near(half, ink) > 200 for half in halves)
     assert halves[0] != halves[1]
 
 

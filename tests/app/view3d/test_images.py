@@ -54,7 +54,7 @@ def test_control_points_appear_where_they_are(make_view, document, renderer, cam
     owner = make_view(document, layer=LayerChoice.RAW, surface=False, labels=False, control_net=False, axes=False)
     owner.view.set_camera(camera, animated=False)
     make_view.settle(owner.view)
-    image, accent = owner.view.image(), owner.view.picture().theme.accent
+    image, accent = owner.view.image(), owner.view.picture().theme.point
     for point in document.control_points.reshape(-1, 3):
         assert tuple(seen_colour(owner.view, image, point)) == accent
 

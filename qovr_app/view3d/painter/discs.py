@@ -1,0 +1,87 @@
+"""Equal discs with a rim: few as shapes, very many as pixels that are set by arrays."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+import numpy.typing as npt
+from PySide6.QtCore import QPointF
+from PySide6.QtGui import QColor, QImage, QPainter, QPen
+
+from qovr_app.style.canvas import dimmed
+from qovr_app.style.theme import Rgb
+from qovr_app.view3d.scene.camera import Size
+from qovr_core.arrays import Array
+
+_MANY = 300
+"""Discs above which drawing each as a shape would be slower than setting the pixels of all."""
+
+_RIM = 1.4
+
+
+@dataclass(frozen=True)
+class Disc:
+    """How a disc looks; the radius in logical pixels."""
+
+    radius: float
+    fill: Rgb
+    rim: Rgb
+    opacity: float = 1.0
+
+    @property
+    def rim_width(self) -> float:
+        """How wide its rim is: narrow where the disc is small."""
+        return min(_RIM, self.radius / 2)
+
+
+def draw_discs(painter: QPainter, places: Array, size: Size, disc: Disc) -> None:
+    """Draw discs about pixels (k, 2) of a viewport; as shapes where the drawing is kept as shapes."""
+    if not len(places):
+        return
+    device = painter.device()
+    with dimmed(painter, disc.opacity):
+        if len(places) > _MANY and isinstance(device, QImage):
+            painter.drawImage(QPointF(0, 0), _stamped(places, size, disc, device.devicePixelRatioF()))
+            return
+        painter.setPen(QPen(QColor(*disc.rim), disc.rim_width))
+        painter.setBrush(QColor(*disc.fill))
+        for x, y in places.tolist():
+            painter.drawEllipse(QPointF(x, y), disc.radius, disc.radius)
+
+
+def _stamped(places: Array, size: Size, disc: Disc, ratio: float) -> QImage:
+    """Return a transparent image of a viewport with the discs in it, each at the nearest pixel of the device."""
+    width, height = (math.ceil(side * ratio) for side in size)
+    stamp = _stamp(disc, ratio)
+    reach = len(stamp) // 2
+    # A border as wide as a disc reaches takes what lies half beyond the edge.
+    pixels = np.zeros((height + 4 * reach, width + 4 * reach), dtype=np.uint32)
+    column, row = np.floor(places * ratio).astype(np.int64).T + 2 * reach
+    inside = (column >= reach) & (column < width + 3 * reach) & (row >= reach) & (row < height + 3 * reach)
+    at, flat = (row * pixels.shape[1] + column)[inside], pixels.ravel()
+    for (y, x), colour in np.ndenumerate(stamp):
+        if colour:  # the more opaque pixel wins, for alpha is the highest byte
+            to = at + ((y - reach) * pixels.shape[1] + x - reach)
+            flat[to] = np.maximum(flat[to], colour)
+    inner = np.ascontiguousarray(pixels[2 * reach : 2 * reach + height, 2 * reach : 2 * reach + width])
+    image = QImage(inner.data, width, height, 4 * width, QImage.Format.Format_ARGB32_Premultiplied).copy()
+    image.setDevicePixelRatio(ratio)
+    return image
+
+
+@lru_cache(maxsize=16)
+def _stamp(disc: Disc, ratio: float) -> npt.NDArray[np.uint32]:
+    """Return the pixels of one disc as premultiplied ARGB, (2 k + 1, 2 k + 1)."""
+    outer, inner = ((disc.radius + side * disc.rim_width / 2) * ratio for side in (1, -1))
+    reach = math.ceil(outer)
+    x, y = np.meshgrid(*(np.arange(-reach, reach + 1),) * 2)
+    away = np.hypot(x, y)
+    covered, filled = (np.clip(edge - away + 0.5, 0, 1) for edge in (outer, inner))
+    colour = filled[..., None] * np.array(disc.fill) + (1 - filled[..., None]) * np.array(disc.rim)
+    red, green, blue = np.rint(colour * covered[..., None]).astype(np.uint32).transpose(2, 0, 1)
+    alpha = np.rint(255 * covered).astype(np.uint32)
+    stamp: npt.NDArray[np.uint32] = alpha << 24 | red << 16 | green << 8 | blue
+    return stamp
