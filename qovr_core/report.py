@@ -8,11 +8,12 @@ from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.evaluation import Evaluation
 from qovr_core.formulations import FORMULATIONS
-from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.folding import folding_parts
+from qovr_core.geometry.knots import Direction
 
 
 def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
-    """Return boxes, matrix, degree and knots out of range of a configured surface, ready for JSON."""
+    """Return boxes, matrix, degree and folding curves of a configured surface, ready for JSON."""
     document = evaluation.document
     return {
         "formulation": str(document.formulation),
@@ -23,7 +24,7 @@ def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
         "exact_raw_box": evaluation.patch.bounding_box().tolist(),
         "matrix": evaluation.matrix.tolist(),
         "flat_axes": list(evaluation.flat_axes),
-        "not_monotone": not_monotone(document),
+        "folding": folding_curves(document),
         "without_effect": [
             f"{direction}[{curve}]"
             for direction in Direction
@@ -33,13 +34,13 @@ def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
     }
 
 
-def not_monotone(document: Document) -> list[str]:
-    """Return the places of the s knots whose transformation s(u) folds back, as ``row_knots[2].s``."""
+def folding_curves(document: Document) -> list[dict[str, Any]]:
+    """Return the curves that fold back on evenly spaced points, with the parameters between which they run back."""
     return [
-        str(KnotPlace(direction, curve, "s"))
+        {"curve": f"{direction}[{curve}]", "backward": [list(ends) for ends in parts]}
         for direction in Direction
         for curve, knots in enumerate(knots_of(document, direction))
-        if not knots.is_monotone
+        if (parts := folding_parts(knots))
     ]
 
 
@@ -68,9 +69,14 @@ def facts_text(facts: dict[str, Any]) -> str:
         lines.append(
             f"without effect   {', '.join(facts['without_effect'])}: only {entering} the {formulation} formulation"
         )
-    folding = ", ".join(facts["not_monotone"]) or "none"
-    lines.append(f"folding back     {folding}")
+    folding = [_folding_text(**curve) for curve in facts["folding"]]
+    lines.append(f"folding back     {', '.join(folding) or 'none'}")
     return "\n".join(lines)
+
+
+def _folding_text(curve: str, backward: list[list[float]]) -> str:
+    parts = " and ".join(f"{low:.6g} to {high:.6g}" for low, high in backward)
+    return f"{curve} ({Direction(curve.partition('[')[0]).parameter} from {parts})"
 
 
 def _box_lines(title: str, box: list[list[float]]) -> list[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import zip_longest
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -14,6 +15,7 @@ from qovr_app.laboratory.plots import Line, Plot
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Rgb, Theme
 from qovr_core.arrays import Array
+from qovr_core.geometry.folding import MOST_FOLDS
 from qovr_core.laboratory.curve_names import FLATTEST, name_centres, named_places, seen_points
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane, View, plane_of
@@ -37,7 +39,7 @@ class GeometryPlot(Plot):
         self._blended = [self.make_line() for _ in range(3)]
         self._whole = [self.make_line() for _ in range(3)]
         self._line = self.make_line()
-        self._backward = self.make_line()
+        self._backward = [self.make_line() for _ in range(MOST_FOLDS)]
         self._rings, self._points = self.make_dots(_RING), self.make_dots(_POINT)
         self._hover_parts, self._hover = self.make_dots(_DOT), self.make_dots(_POINT)
         self._point_texts = [self.make_text() for _ in range(5)]
@@ -57,7 +59,8 @@ class GeometryPlot(Plot):
             for line, colour in zip(lines, parts, strict=True):
                 line.setPen(self.pen((*colour, alpha), width, style))
         self._line.setPen(self.pen(theme.ink, 2.4))
-        self._backward.setPen(self.pen(theme.warn, 2.4))
+        for line in self._backward:
+            line.setPen(self.pen(theme.warn, 2.4))
         self._rings.setPen(self.pen(theme.ink, 1.2))
         self._rings.setBrush(None)
         self._points.setPen(self.pen(theme.background, 1))
@@ -107,8 +110,9 @@ class GeometryPlot(Plot):
             for line, (first, last) in ((self._blended[p], curve.blended[p]), (self._auxiliary[p], curve.auxiliary[p])):
                 _set(line, drawn(curve.parabola(p, np.linspace(first, last, len(SAMPLES)))))
         _set(self._line, drawn(curve.at(SAMPLES)))
-        fold = curve.fold_back
-        _set(self._backward, drawn(curve.at(np.linspace(*fold.backward, 41))) if fold else points[:0])
+        parts = [drawn(curve.at(np.linspace(*part, 41))) for part in curve.folding_parts]
+        for line, part in zip_longest(self._backward, parts):
+            _set(line, points[:0] if part is None else part)
         self._rings.setData(pos=drawn(curve.at(curve.landmarks)))
         self._points.setData(pos=points, brush=_brushes(self.colours.series))
         self._place_texts(curve, plane)

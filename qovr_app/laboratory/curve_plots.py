@@ -25,7 +25,7 @@ Rings: where the parameter is 0, its internal knot, and 1""",
     "How much each parabola counts: (1-u)^2, 2u(1-u) and u^2",
     "How much each point counts; the five weights sum to 1",
     """Drag the rings: r_ip on the left edge, s_ip and u_ip in the middle, t_ip on the right edge
-While the middle ring lies in the shaded lens, s does not fold back""",
+A shaded band: there the curve runs backwards on evenly spaced points""",
 )
 """What each plot shows, in the order of the plots."""
 
@@ -103,7 +103,7 @@ class CurvePlots(QWidget):
         over_geometry, *over_functions = self._captions
         over_geometry.say(*captions)
         if u is None:
-            notes = "of the parabolas", "of the points", _how_s_runs(curve)
+            notes = "of the parabolas", "of the points", _how_it_runs(curve)
             for plot, caption, note in zip(self._functions, over_functions, notes, strict=True):
                 legend = _in_a_row(plot.legend())
                 caption.say(f"{legend}&nbsp;&nbsp; {note}", legend)
@@ -145,9 +145,8 @@ def _place_texts(curve: OneCurve, u: float) -> tuple[str]:
     return (f"<i>{curve.parameter}</i> = {u:.3f}&nbsp;&nbsp; {x}, {y}, {z}",)
 
 
-def _how_s_runs(curve: OneCurve) -> str:
-    fold = curve.fold_back
-    if fold is None:
+def _how_it_runs(curve: OneCurve) -> str:
+    if not curve.folding_parts:
         return f"over <i>{curve.parameter}</i>"
-    low, high = fold.backward
-    return coloured(f"<i>s</i> falls from {low:.3g} to {high:.3g}", theme_in_force().warn)
+    parts = " and ".join(f"{low:.3g} to {high:.3g}" for low, high in curve.folding_parts)
+    return coloured(f"folds back from {parts}", theme_in_force().warn)

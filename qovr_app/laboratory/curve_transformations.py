@@ -1,8 +1,9 @@
-"""The transformations r(u), s(u), t(u), with a handle on every internal knot and the fold-back of s marked."""
+"""The transformations r(u), s(u), t(u), with a handle on every internal knot, and where the curve folds back."""
 
 from __future__ import annotations
 
-import numpy as np
+from itertools import zip_longest
+
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QWidget
 
@@ -11,6 +12,7 @@ from qovr_app.laboratory.pg import make_brush
 from qovr_app.laboratory.plots import Handle
 from qovr_app.state.gestures import next_gesture
 from qovr_app.style.theme import Theme
+from qovr_core.geometry.folding import MOST_FOLDS
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS, SAMPLES, OneCurve
 
 _HANDLE = 12
@@ -21,7 +23,7 @@ _LEAST_RANGE = (-0.5, 1.5)
 """What r, s and t reach where every knot is 0.5."""
 
 _HEADROOM = 0.1
-_LENS_ALPHA, _FOLD_ALPHA = 26, 44
+_FOLD_ALPHA = 44
 _KNOTS_OF = {"r": ("r",), "s": ("u", "s"), "t": ("t",)}
 """The knots that each handle moves: that of s lies at (u_ip, s_ip)."""
 
@@ -29,8 +31,8 @@ _KNOTS_OF = {"r": ("r",), "s": ("u", "s"), "t": ("t",)}
 class TransformationsPlot(FunctionPlot):
     """Shows r, s and t over u.
 
-    The handles lie where the knots are: r_ip at u = 0, s_ip at u_ip, t_ip at u = 1. While the handle of s is in the
-    shaded lens between u^2 and 2u - u^2, s is monotone.
+    The handles lie where the knots are: r_ip at u = 0, s_ip at u_ip, t_ip at u = 1. Bands stand where the curve folds
+    back on evenly spaced points.
 
     Signals
     -------
@@ -50,21 +52,18 @@ class TransformationsPlot(FunctionPlot):
         )
         self._places: dict[str, tuple[float, float]] = {}
         self._gesture = 0
-        self._lens = self.make_area(SAMPLES, SAMPLES**2, 2 * SAMPLES - SAMPLES**2)
-        self.fold = self.make_band()
+        self.folds = [self.make_band() for _ in range(MOST_FOLDS)]
         self._limits = [self.make_level(value) for value in (0, 1)]
-        self._outside = self.make_line()
         self.handles = {name: self._make_handle(name) for name in _KNOTS_OF}
 
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
-        self._lens.setBrush(make_brush((*theme.series[2], _LENS_ALPHA)))
-        self.fold.setBrush(make_brush((*theme.warn, _FOLD_ALPHA)))
-        for line in self.fold.lines:
-            line.setPen(self.pen(theme.warn, 1))
+        for band in self.folds:
+            band.setBrush(make_brush((*theme.warn, _FOLD_ALPHA)))
+            for line in band.lines:
+                line.setPen(self.pen(theme.warn, 1))
         for limit in self._limits:
             limit.setPen(self.pen(theme.axis, 1))
-        self._outside.setPen(self.pen(theme.warn, 3))
         for handle, colour in zip(self.handles.values(), self.series, strict=True):
             handle.setBrush(make_brush(theme.background))
             handle.setPen(self.pen(colour, 2))
@@ -76,12 +75,10 @@ class TransformationsPlot(FunctionPlot):
         values = curve.transformed(SAMPLES)
         low, high = (end(limit, end(values[:, 1])) for end, limit in zip((min, max), _LEAST_RANGE, strict=True))
         self.show_functions(values, curve.knots.u, (low - _HEADROOM, high + _HEADROOM))
-        fold = curve.fold_back
-        self.fold.setVisible(fold is not None)
-        if fold:
-            self.fold.setRegion(fold.backward)
-        u = np.linspace(*fold.outside, 41) if fold else SAMPLES[:0]
-        self._outside.setData(u, curve.transformed(u)[:, 1])
+        for band, part in zip_longest(self.folds, curve.folding_parts):
+            band.setVisible(part is not None)
+            if part is not None:
+                band.setRegion(part)
         r, s, t = curve.internal_knots
         self._places = {"r": (0.0, r), "s": (curve.knots.u, s), "t": (1.0, t)}
         self._place_handles()

@@ -74,10 +74,6 @@ if TYPE_CHECKING:
         def setBrush(self, brush: QBrush) -> None: ...
         def setRegion(self, region: tuple[float, float]) -> None: ...
 
-    class FillBetweenItem(QGraphicsObject):
-        def __init__(self, lower: PlotCurveItem, upper: PlotCurveItem) -> None: ...
-        def setBrush(self, brush: QBrush) -> None: ...
-
     class TargetItem(QGraphicsObject):
         sigPositionChanged: SignalInstance
         sigPositionChangeFinished: SignalInstance
@@ -138,7 +134,6 @@ if TYPE_CHECKING:
 
 else:
     from pyqtgraph import (
-        FillBetweenItem,
         InfiniteLine,
         LinearRegionItem,
         PlotCurveItem,
@@ -152,7 +147,6 @@ else:
 
 __all__ = [
     "Colour",
-    "FillBetweenItem",
     "InfiniteLine",
     "LinearRegionItem",
     "PlotCurveItem",

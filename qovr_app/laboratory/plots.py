@@ -14,14 +14,12 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import Theme
 from qovr_app.widgets.parts import named
-from qovr_core.arrays import Array
 
 Line = pg.PlotCurveItem
 Series = pg.PlotDataItem
 Dots = pg.ScatterPlotItem
 Text = pg.TextItem
 Rule = pg.InfiniteLine
-Area = pg.FillBetweenItem
 Band = pg.LinearRegionItem
 Handle = pg.TargetItem
 
@@ -112,10 +110,6 @@ class Plot(pg.PlotWidget):
     def make_level(self, value: float) -> Rule:
         """Return a new line from left to right, behind everything."""
         return self._added(Rule(pos=value, angle=0), layer=_BEHIND)
-
-    def make_area(self, x: Array, low: Array, high: Array) -> Area:
-        """Return what lies between two lines over the same x, behind everything."""
-        return self._added(Area(Line(x, low), Line(x, high)), layer=_BEHIND)
 
     def make_band(self) -> Band:
         """Return a new band from bottom to top, behind everything."""

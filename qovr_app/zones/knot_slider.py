@@ -1,4 +1,4 @@
-"""A slider over the open interval of one knot, which shows where its curve stays monotone."""
+"""A slider over the open interval of one knot, which shows where its curve does not fold back."""
 
 from __future__ import annotations
 
@@ -32,25 +32,25 @@ class KnotSlider(QSlider):
         self.setRange(1, _PARTS - 1)
         self.setSingleStep(_PARTS // 100)
         self.setPageStep(_PARTS // 10)
-        self._monotone: tuple[float, float] | None = None
+        self._forward: tuple[float, float] | None = None
         self._gesture = 0
         self._bursts = Bursts(self)
         self.sliderPressed.connect(self._on_pressed)
         self.sliderReleased.connect(self._on_released)
         self.valueChanged.connect(self._on_value_changed)
 
-    def show_knot(self, value: float, monotone: tuple[float, float] | None) -> None:
+    def show_knot(self, value: float, forward: tuple[float, float] | None) -> None:
         """Show a knot, silently.
 
         Parameters
         ----------
-        monotone : between which values its curve does not fold back; None where that says nothing of this knot
+        forward : between which values its curve does not fold back; None where it does whatever this knot is
         """
         was_blocked = self.blockSignals(True)
         self.setValue(round(value * _PARTS))
         self.blockSignals(was_blocked)
-        if monotone != self._monotone:
-            self._monotone = monotone
+        if forward != self._forward:
+            self._forward = forward
             self.update()
 
     def _on_pressed(self) -> None:
@@ -64,7 +64,7 @@ class KnotSlider(QSlider):
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)
-        if self._monotone is None:
+        if self._forward is None:
             return
         option = QStyleOptionSlider()
         self.initStyleOption(option)
@@ -73,7 +73,7 @@ class KnotSlider(QSlider):
         groove = self.style().subControlRect(control, option, QStyle.SubControl.SC_SliderGroove, self)
         room = groove.width() - handle.width()
         start = groove.left() + handle.width() / 2
-        low, high = self._monotone
+        low, high = self._forward
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         painter.setPen(Qt.PenStyle.NoPen)

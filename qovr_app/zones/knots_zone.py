@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from dataclasses import replace
 from itertools import chain
 
 from PySide6.QtCore import Qt
@@ -24,7 +26,8 @@ from qovr_core import FORMULATIONS, Document, Formulation, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.document import NET_SIZE
 from qovr_core.edits import Place, Zone, knots_of
-from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, monotone_range
+from qovr_core.geometry.folding import Parts, folding_parts, forward_range
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.number_texts import knot_step
 
 _NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
@@ -73,12 +76,11 @@ class KnotsZone(FieldZone):
     def _show_effects(self, document: Document, curves: tuple[Knots, ...]) -> None:
         """Mark the knots without effect, and those whose curve folds back."""
         formulation = document.formulation
+        warnings = [self._folding_text(number, knots) for number, knots in enumerate(curves)]
         for place in chain(*self._table()):
-            field, knots = self.fields[place], curves[place.curve]
+            field = self.fields[place]
             field.set_idle(not formulation.is_active(self._direction, place.curve))
-            if place.name == "s":
-                name = self._direction.curve_name(place.curve)
-                field.set_warning("" if knots.is_monotone else _folding_text(name, knots))
+            field.set_warning(warnings[place.curve])
         self._note.say("<br>".join(self._notes(curves, formulation)))
 
     def copied_block(self) -> Rows:
@@ -153,11 +155,8 @@ class KnotsZone(FieldZone):
         more = f" + {self._direction.other.letter}" if directions else ""
         self._caption.setText(f"{symbol_html(place.letter, 'ip')} of {whose}{more}")
         self._slider.setAccessibleName(f"{spoken(place)}, slider")
-        monotone = None
-        if place.name == "s":
-            u = self.fields[KnotPlace(place.direction, place.curve, "u")].value
-            monotone = monotone_range(u)
-        self._slider.show_knot(self.fields[place].value, monotone)
+        knots = Knots(**{name: self.fields[replace(place, name=name)].value for name in KNOT_NAMES})
+        self._slider.show_knot(self.fields[place].value, forward_range(knots, place.name))
 
     def _notes(self, curves: tuple[Knots, ...], formulation: Formulation) -> list[str]:
         active = [number for number in range(len(curves)) if formulation.is_active(self._direction, number)]
@@ -170,9 +169,9 @@ class KnotsZone(FieldZone):
                 f"{f'{names[0]}..{names[-1]}' if is_run else ', '.join(names)} have no effect: "
                 f"the <i>{formulation}</i> surface uses {used} alone. {self._way_out()}"
             )
-        folding = [k for k, knots in enumerate(curves) if k in active and not knots.is_monotone]
+        folding = {number: parts for number in active if (parts := folding_parts(curves[number]))}
         if folding:
-            notes.append(self._folding_note([curves[k] for k in folding], folding))
+            notes.append(self._folding_note(folding))
         return notes
 
     def _way_out(self) -> str:
@@ -184,16 +183,22 @@ class KnotsZone(FieldZone):
     def _symbols(self, numbers: list[int]) -> list[str]:
         return [symbol_html(self._direction.letter, str(number)) for number in numbers]
 
-    def _folding_note(self, folding: list[Knots], numbers: list[int]) -> str:
-        shown, s = self._symbols(numbers), symbol_html("s", "ip")
+    def _folding_note(self, folding: Mapping[int, Parts]) -> str:
+        shown = self._symbols(list(folding))
         names = f"{shown[0]}..{shown[-1]}" if len(shown) == NET_SIZE else ", ".join(shown)
         verb = "folds" if len(shown) == 1 else "fold"
-        if len({knots.u for knots in folding}) > 1:
-            return f"{names} {verb} back: {s} is too far from {symbol_html(self._direction.parameter, 'ip')}."
-        low, high = monotone_range(folding[0].u)
-        return f"{names} {verb} back: {s} lies outside {low:.3g} to {high:.3g}."
+        alike = set(folding.values())
+        where = _where(f"<i>{self._direction.parameter}</i>", alike.pop()) if len(alike) == 1 else "in part"
+        return f"{names} {verb} back: over evenly spaced points backwards {where}."
+
+    def _folding_text(self, number: int, knots: Knots) -> str:
+        """Return what a curve's folding means for its knots; nothing where it does not fold."""
+        parts = folding_parts(knots)
+        if not parts:
+            return ""
+        where = _where(self._direction.parameter, parts)
+        return f"{self._direction.curve_name(number)} folds back: over evenly spaced points it runs backwards {where}."
 
 
-def _folding_text(name: str, knots: Knots) -> str:
-    low, high = monotone_range(knots.u)
-    return f"{name} folds back on the way. From {low:.6g} to {high:.6g} it does not."
+def _where(parameter: str, parts: Parts) -> str:
+    return f"for {parameter} from " + " and ".join(f"{low:.3g} to {high:.3g}" for low, high in parts)

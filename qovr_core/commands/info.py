@@ -1,4 +1,4 @@
-"""``qovr info``: boxes, matrix, degree, knots out of range."""
+"""``qovr info``: boxes, matrix, degree, curves that fold back."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from qovr_core.files import read_source
 
 
 def add_command(commands: Any) -> None:
-    command = commands.add_parser("info", help="boxes, matrix, degree, knots out of range", epilog=SOURCE_HELP)
+    command = commands.add_parser("info", help="boxes, matrix, degree, curves that fold back", epilog=SOURCE_HELP)
     command.add_argument("source", metavar="SOURCE")
     command.add_argument("--json", action="store_true")
     command.set_defaults(command=_info)

@@ -162,10 +162,10 @@ def _draw_blend(axes: Any, plane: Plane, curve: OneCurve) -> None:
         _draw_part(axes, plane, curve, p, curve.auxiliary[p], **_AUXILIARY)
     name = f"${curve.direction.letter}({curve.parameter})$"
     axes.plot(*plane.drawn(curve.at(SAMPLES)).T, color=INK, linewidth=1.8, zorder=3, label=name)
-    fold = curve.fold_back
-    if fold:
-        backward = plane.drawn(curve.at(np.linspace(*fold.backward, len(SAMPLES))))
-        axes.plot(*backward.T, color=WARN, linewidth=1.8, zorder=3, label="$s$ runs back")
+    for number, part in enumerate(curve.folding_parts):
+        backward = plane.drawn(curve.at(np.linspace(*part, len(SAMPLES))))
+        label = "_nolegend_" if number else "folds back"
+        axes.plot(*backward.T, color=WARN, linewidth=1.8, zorder=3, label=label)
     ends = plane.drawn(curve.at(curve.landmarks))
     axes.scatter(*ends.T, s=70, facecolors="none", edgecolors=INK, linewidths=0.8, zorder=4)
     _draw_points(axes, plane, curve)
@@ -208,9 +208,8 @@ def _draw_transformations(axes: Any, curve: OneCurve) -> None:
     places = zip(curve.landmarks, curve.internal_knots, PARTS, strict=True)
     for u, knot, colour in places:
         axes.plot(u, knot, "o", markersize=4.5, color="white", markeredgecolor=colour, clip_on=False, zorder=5)
-    fold = curve.fold_back
-    if fold:
-        axes.axvspan(*fold.backward, color=WARN, alpha=0.2, linewidth=0)
+    for part in curve.folding_parts:
+        axes.axvspan(*part, color=WARN, alpha=0.2, linewidth=0)
     for value in (0, 1):
         axes.axhline(value, color=QUIET, linewidth=0.6, zorder=1)
     axes.set_ylim(low, high)

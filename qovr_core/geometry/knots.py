@@ -84,8 +84,8 @@ class Knots:
     Examples
     --------
     >>> knots = Knots(s=0.4)
-    >>> list(knots), knots.is_quartic, knots.is_monotone
-    ([0.5, 0.4, 0.5, 0.5], False, True)
+    >>> list(knots), knots.is_quartic, knots.degree
+    ([0.5, 0.4, 0.5, 0.5], False, 6)
     >>> Knots(u=1)
     Traceback (most recent call last):
     qovr_core.errors.DocumentError: u is 1; expected a number strictly between 0 and 1
@@ -112,21 +112,6 @@ class Knots:
     def degree(self) -> int:
         """The degree of the curve in its parameter, 4 or 6."""
         return 4 if self.is_quartic else 6
-
-    @property
-    def is_monotone(self) -> bool:
-        """Whether the transformation s(u) of (25) is monotone on [0, 1]; otherwise the curve folds back."""
-        return abs(self.s - self.u) <= _monotone_reach(self.u)
-
-
-def _monotone_reach(u: float) -> float:
-    """Return how far s_ip may be from u_ip while s(u) stays monotone."""
-    return u * (1 - u)
-
-
-def monotone_range(u: float) -> tuple[float, float]:
-    """Return the s_ip between which the transformation s(u) of (25) is monotone, for one u_ip."""
-    return u - _monotone_reach(u), u + _monotone_reach(u)
 
 
 def knot_array(knots: Sequence[Knots]) -> Array:

@@ -1,4 +1,4 @@
-"""One curve with all its parts (the paper's Figure 1): parabolas, weights, transformations, and where s folds back."""
+"""One curve with all its parts (the paper's Figure 1): parabolas, weights, transformations, and where it folds back."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import EvaluationError
 from qovr_core.geometry import bernstein
+from qovr_core.geometry.folding import Parts, folding_parts
 from qovr_core.geometry.kernels import inverse_kernels
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, Knots
 from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, transformations, weight_coefficients
@@ -22,22 +23,6 @@ SAMPLES = read_only(np.linspace(0.0, 1.0, 161))
 
 PARABOLA_LETTERS = tuple(KNOT_NAMES[k] for k in KERNEL_KNOTS)
 """The letters r, s, t of the parameters of Q_0, Q_1, Q_2, of their transformations (24)-(26) and of their knots."""
-
-
-@dataclass(frozen=True)
-class FoldBack:
-    """Where the transformation s(u) of (25) does not run forward from 0 to 1.
-
-    Parameters
-    ----------
-    backward : the u between which s falls while u grows; the curve runs back there on Q_1
-    outside : the u between which s lies outside [0, 1]; it reaches beyond ``backward`` on one side
-    turn : the s at which the direction changes, below 0 or above 1
-    """
-
-    backward: tuple[float, float]
-    outside: tuple[float, float]
-    turn: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,7 +122,7 @@ class OneCurve:
         Of Q_1 it is the part between an end and where s turns round; empty where s is monotone.
         """
         r, _, t = self.transformed([0.0, 1.0]).T
-        turn = self.fold_back.turn if self.fold_back else 0.0
+        turn = self._turn
         beyond_the_middle = (turn, 0.0) if turn <= 0 else (1.0, turn)
         return (1.0, float(r[1])), beyond_the_middle, (float(t[0]), 0.0)
 
@@ -148,17 +133,16 @@ class OneCurve:
         return read_only(first + (last - first) * SAMPLES[16:-16])
 
     @property
-    def fold_back(self) -> FoldBack | None:
-        """Where s(u) turns round; None where it is monotone."""
-        if self.knots.is_monotone:
-            return None
+    def folding_parts(self) -> Parts:
+        """Where it would run back if its points were evenly spaced; empty where it does not fold."""
+        return folding_parts(self.knots)
+
+    @property
+    def _turn(self) -> float:
+        """The s at which s(u) of (25) turns round, below 0 or above 1; 0 where it is monotone."""
         _, s, u, _ = self.knots
         a = (s - u) / (u * (u - 1))
-        vertex = (a - 1) / (2 * a)
-        turn = float(self.transformed([vertex])[0, 1])
-        if a > 1:
-            return FoldBack((0.0, vertex), (0.0, 2 * vertex), turn)
-        return FoldBack((vertex, 1.0), (2 * vertex - 1, 1.0), turn)
+        return float(self.transformed([(a - 1) / (2 * a)])[0, 1]) if abs(a) > 1 else 0.0
 
     @cached_property
     def _weights(self) -> Array:

@@ -127,15 +127,18 @@ def test_info_in_words_and_in_json(tmp_path):
     facts = json.loads(qovr("info", "paper:fig5", "--json").out)
     assert facts["raw_box"] == pytest.approx(np.array([[10, 30], [20, 60], [0.88, 1.2]]))
     assert facts["matrix"] == pytest.approx(np.array(configure(preset("fig5").document).matrix))
-    assert facts["not_monotone"] == []
+    assert facts["folding"] == []
     assert facts["without_effect"] == [f"row_knots[{i}]" for i in range(4)]
     content = json.loads(document_to_json(preset("fig5").document))
-    content["row_knots"][2] = {"r": 0.5, "s": 0.9, "u": 0.3, "t": 0.5}
+    content["row_knots"][2] = {"r": 0.5, "s": 0.2, "u": 0.2, "t": 0.5}
+    content["column_knots"][3] = {"r": 0.5, "s": 0.2, "v": 0.5, "t": 0.5}  # s(v) turns round, the curve does not
     content["formulation"] = "interpolating"
     (tmp_path / "fold.qovr").write_text(json.dumps(content))
     run = qovr("info", "fold.qovr", cwd=tmp_path)
-    assert "row_knots[2].s" in run.out
-    assert "degree           6 in u, 4 in v" in run.out
+    assert "folding back     row_knots[2] (u from 0.650435 to 0.90706)\n" in run.out
+    assert "degree           4 in u, 6 in v" in run.out
+    (curve,) = json.loads(qovr("info", "fold.qovr", "--json", cwd=tmp_path).out)["folding"]
+    assert curve == {"curve": "row_knots[2]", "backward": [pytest.approx([0.650434559, 0.907059523])]}
 
 
 def test_help_and_version():

@@ -171,7 +171,7 @@ def test_one_curve_of_a_document_is_drawn_with_its_weights(s, view):
     plane = plane_of(curve.points, view)
     ((drawn, _),) = lines_of(curve_axes)["$K(v)$"]
     assert drawn == pytest.approx(plane.drawn(curve.at(SAMPLES)))
-    assert ("$s$ runs back" in lines_of(curve_axes)) == (s == 0.9)
+    assert ("folds back" in lines_of(curve_axes)) == (s == 0.9)
     for axes, values in ((blends, curve.blends), (weights, curve.weights), (places, curve.transformed)):
         shown = np.array([line.get_ydata() for line in axes.lines if len(line.get_ydata()) == len(SAMPLES)])
         is_seen = np.isfinite(shown.T)  # r and t run out of the drawing

@@ -1,10 +1,8 @@
-"""One curve and its parts: the blend of its parabolas, the places of its knots, and the fold-back of s."""
-
-from fractions import Fraction
+"""One curve and its parts: the blend of its parabolas, and the places of its knots."""
 
 import numpy as np
 import pytest
-from hypothesis import assume, given
+from hypothesis import given
 from hypothesis import strategies as st
 
 from qovr_core import FORMULATIONS, Document, EvaluationError, Formulation, Knots, curve_network
@@ -68,52 +66,12 @@ def test_the_knots_lie_at_the_points(curve):
     assert curve.auxiliary[2] == (pytest.approx(t[0]), 0.0)
 
 
-@given(knots)
-def test_fold_back_in_exact_arithmetic(knots):
-    _, s, u, _ = (Fraction(value) for value in knots)
-    a = (s - u) / (u * u - u)
-    fold = OneCurve(np.zeros((5, 3)), knots).fold_back
-    assume(abs(abs(a) - 1) > 1e-9)
-    assert (fold is not None) == (abs(a) > 1)
-    if fold is None:
-        return
-
-    def s_at(x):
-        return a * x * x + (1 - a) * x
-
-    def slope(x):
-        return 2 * a * x + 1 - a
-
-    low, high = (Fraction(value) for value in fold.backward)
-    inside, tiny = (low + high) / 2, Fraction(1, 10**9)
-    assert slope(inside) < 0
-    assert {low, high} & {0, 1}
-    turn = high if low == 0 else low
-    assert abs(slope(turn)) < 1e-9 * abs(a)
-    assert float(s_at(turn)) == pytest.approx(fold.turn, abs=1e-9)
-    assert fold.turn < 0 or fold.turn > 1
-    first, last = (Fraction(value) for value in fold.outside)
-    assert not 0 <= s_at((first + last) / 2) <= 1
-    edge = last + tiny if first == 0 else first - tiny
-    assert 0 <= s_at(edge) <= 1
-    assert first <= low <= high <= last
-
-
-def test_fold_back_by_hand():
-    points = np.zeros((5, 3))
-    assert OneCurve(points, Knots(0.5, 0.5, 0.5, 0.5)).fold_back is None
-    assert OneCurve(points, Knots(0.5, 0.25, 0.5, 0.5)).fold_back is None  # the last that is monotone
-    assert OneCurve(points, Knots(0.5, 0.25, 0.5, 0.5)).auxiliary == ((1.0, 1.5), (0.0, 0.0), (-0.5, 0.0))
-    low = OneCurve(points, Knots(0.5, 0.125, 0.5, 0.5)).fold_back  # a = 1.5
-    assert OneCurve(points, Knots(0.5, 0.125, 0.5, 0.5)).auxiliary[1] == (low.turn, 0.0)
-    assert OneCurve(points, Knots(0.5, 0.875, 0.5, 0.5)).auxiliary[1] == (1.0, pytest.approx(25 / 24))
-    assert low.backward == (0, pytest.approx(1 / 6))
-    assert low.outside == (0, pytest.approx(1 / 3))
-    assert low.turn == pytest.approx(-1 / 24)
-    high = OneCurve(points, Knots(0.5, 0.875, 0.5, 0.5)).fold_back
-    assert high.backward == (pytest.approx(5 / 6), 1)
-    assert high.outside == (pytest.approx(2 / 3), 1)
-    assert high.turn == pytest.approx(25 / 24)
+def test_what_is_used_of_the_middle_parabola_beyond_its_points():
+    """Where s(u) = a u^2 + (1 - a) u turns round outside [0, 1]; a = (u - s) / (u - u^2), so 1, 1.5 and -1.5 here."""
+    used = [OneCurve(np.zeros((5, 3)), Knots(s=s)).auxiliary for s in (0.25, 0.125, 0.875)]
+    assert used[0] == ((1.0, 1.5), (0.0, 0.0), (-0.5, 0.0))
+    assert used[1][1] == (pytest.approx(-1 / 24), 0.0)
+    assert used[2][1] == (1.0, pytest.approx(25 / 24))
 
 
 def test_names_and_refusals():

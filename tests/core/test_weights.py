@@ -90,14 +90,6 @@ def test_a_quartic_curve_is_held_as_its_elevation(r, u, t):
         assert highest == pytest.approx(np.zeros_like(highest), abs=1e-12 * magnitude(coefficients))
 
 
-@given(knots)
-def test_s_is_monotone_exactly_in_its_range(knots):
-    _, s, u, _ = (Fraction(value) for value in knots)
-    a = (s - u) / (u * u - u)
-    slope_at_ends = (1 - a, 1 + a)  # s'(u) is linear
-    assert knots.is_monotone == (min(slope_at_ends) >= 0) or abs(abs(s - u) - u * (1 - u)) < 1e-15
-
-
 @given(knots, PARAMETERS)
 def test_transformations(knots, u):
     values = bernstein.basis(2, [u]) @ np.moveaxis(transformations(tuple(knots)), -1, 0)

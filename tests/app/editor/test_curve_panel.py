@@ -167,14 +167,18 @@ def test_a_handle_respects_the_links_and_staged_edits(panel):
 def test_the_fold_back_is_marked(panel):
     editor = panel.editor
     plot = plot_of(panel, "transformations")
-    assert not plot.fold.isVisible()
+    assert not any(band.isVisible() for band in plot.folds)
+    for knot, value in (("r", 0.5), ("s", 0.2), ("t", 0.5)):
+        editor.type_into(f"row_knots.C_4.{knot}", str(value))
+    editor.type_into("row_knots.C_4.u", "0.5")
+    assert not any(band.isVisible() for band in plot.folds)
+    editor.type_into("row_knots.C_4.u", "0.2")
+    assert [band.isVisible() for band in plot.folds] == [True, False]
+    assert plot.folds[0].getRegion() == pytest.approx((0.650434559, 0.907059523))
+    assert "folds back from 0.65 to 0.907" in " ".join(caption(panel, "transformations").split())
     editor.type_into("row_knots.C_4.s", "0.98")
-    fold = panel.curve.fold_back
-    assert plot.fold.isVisible()
-    assert plot.fold.getRegion() == pytest.approx(fold.backward)
-    assert f"s falls from {fold.backward[0]:.3g} to 1" in " ".join(caption(panel, "transformations").split())
     low, high = plot.view_box.viewRange()[1]
-    assert low < 0 < fold.turn < high
+    assert low < 0 < plot.values[:, 1].max() < high
 
 
 def test_hovering_says_the_values(panel):

@@ -219,10 +219,12 @@ def test_rows_without_effect_say_so_and_the_way_out(editor):
 
 
 def test_a_curve_that_folds_back_is_marked_not_forbidden(editor):
-    editor.type_into("column_knots.K_0.s", "0.9")
-    assert editor.document.column_knots[0] == Knots(0.5, 0.9, 0.5, 0.5)
-    assert "fold" in editor.find("column_knots.note").text()
-    assert "folds back" in editor.field("column_knots.K_2.s").toolTip()
+    editor.type_into("column_knots.K_0.s", "0.2")
+    assert not editor.find("column_knots.note").isVisible()
+    editor.type_into("column_knots.K_0.v", "0.2")
+    assert editor.document.column_knots[0] == Knots(0.5, 0.2, 0.2, 0.5)
+    assert "fold back" in editor.find("column_knots.note").text()
+    assert "runs backwards for v from 0.65 to 0.907" in editor.field("column_knots.K_2.s").toolTip()
     editor.trigger("undo")
     assert not editor.find("column_knots.note").isVisible()
 
