@@ -189,7 +189,7 @@ class KnotsZone(FieldZone):
         verb = "folds" if len(shown) == 1 else "fold"
         alike = set(folding.values())
         where = _where(f"<i>{self._direction.parameter}</i>", alike.pop()) if len(alike) == 1 else "in part"
-        return f"{names} {verb} back: over evenly spaced points backwards {where}."
+        return f"{names} {verb} back: evenly spaced points are passed backwards {where}."
 
     def _folding_text(self, number: int, knots: Knots) -> str:
         """Return what a curve's folding means for its knots; nothing where it does not fold."""
