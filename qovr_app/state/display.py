@@ -112,6 +112,7 @@ class DisplaySettings:
     column_curves: bool = False
     control_box: bool = False
     surface_box: bool = False
+    knot_handles: bool = True
     axes: bool = True
     colour_bar: bool = True
     probe: bool = False

@@ -7,7 +7,7 @@ import math
 from pathlib import Path
 
 import numpy as np
-from PySide6.QtCore import QPoint, QPointF, QSize, Signal
+from PySide6.QtCore import QPoint, QSize, Signal
 from PySide6.QtGui import QImage, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
@@ -47,7 +47,7 @@ class View3D(QWidget):
     point_opened : the control point (i, j) whose fields are wanted
     menu_asked : a MenuWish, and the place of the screen
     radius_turned : by how many notches the wheel went while points were dragged softly
-    said : a sentence for the user
+    wanted : an intent
     drag_finished, drag_cancelled : the gesture number; after a cancelled drag the owner puts the point back
     faulted : why the picture could not be drawn: an error of the program; the next picture is tried again
     fell_back : once, why OpenGL is not used
@@ -59,7 +59,7 @@ class View3D(QWidget):
     point_opened = Signal(object)
     menu_asked = Signal(object, QPoint)
     radius_turned = Signal(float)
-    said = Signal(str)
+    wanted = Signal(object)
     drag_finished = Signal(int)
     drag_cancelled = Signal(int)
     faulted = Signal(str)
@@ -125,6 +125,7 @@ class View3D(QWidget):
             caption=scene.caption if shown.viewports > 1 else "",
             tools=shown.tools,
             hand=self._viewports.hand(viewport),
+            curve=shown.curve,
         )
 
     def display(self, shown: Shown) -> None:
@@ -232,17 +233,15 @@ class View3D(QWidget):
         self._pointer.follow(interactor, number)
         interactor.camera_requested.connect(self.camera_motion.move)
         interactor.changed.connect(self._show)
-        interactor.said.connect(self.said)
+        interactor.wanted.connect(self.wanted)
         interactor.radius_turned.connect(self.radius_turned)
         interactor.mouse.picked.connect(self.points_picked)
         interactor.mouse.opened.connect(self.point_opened)
-        widget = interactor.widget
-        interactor.mouse.menu_asked.connect(
-            lambda wish: self.menu_asked.emit(wish, widget.mapToGlobal(QPointF(*wish.at)).toPoint())
-        )
+        interactor.mouse.menu_asked.connect(self.menu_asked)
         interactor.dragger.dragged.connect(self.points_dragged)
-        interactor.dragger.finished.connect(self.drag_finished)
-        interactor.dragger.cancelled.connect(self.drag_cancelled)
+        for dragger in (interactor.dragger, interactor.knot_dragger):
+            dragger.finished.connect(self.drag_finished)
+            dragger.cancelled.connect(self.drag_cancelled)
 
     def _show(self) -> None:
         """Show the present state in the next frame."""

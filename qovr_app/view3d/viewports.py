@@ -129,7 +129,7 @@ class Viewports(QObject):
     def _make_anew(self) -> None:
         """Put new viewports into the places of those there are."""
         for interactor in self._interactors:
-            interactor.dragger.finish()
+            interactor.mouse.dragger.finish()
         self._interactors = []
         for viewport in self._made:
             self._layout.removeWidget(viewport.widget)

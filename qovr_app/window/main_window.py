@@ -104,7 +104,7 @@ class MainWindow(QMainWindow):
         self._facts = Facts(self)
         self._actions.give_single_keys(self.parts.view_frame)
         self.parts.view_frame.menu_asked.connect(
-            lambda wish, at: show_context_menu(wish, at, self._actions, self.store.dispatch, self)
+            lambda wish, at: show_context_menu(wish, at, self._actions, self.store, self)
         )
         self._message = MessageLine(self.store.dispatch, self)
         self._notices.noticed.connect(lambda text: self.store.dispatch(MessageShown(text)))

@@ -18,6 +18,7 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
+from qovr_app.window.knots_in_view import curve_in_hand
 from qovr_app.work.gui_calls import GuiCalls
 from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, Zone
@@ -164,7 +165,7 @@ class ViewFrame(QWidget):
         view.radius_turned.connect(self._turn_radius)
         view.point_opened.connect(self._open_fields)
         view.menu_asked.connect(self.menu_asked)
-        view.said.connect(lambda text: dispatch(looking_intents.MessageShown(text)))
+        view.wanted.connect(dispatch)
         view.faulted.connect(lambda reason: dispatch(looking_intents.MessageShown(reason, is_refusal=True)))
         view.fell_back.connect(lambda reason: dispatch(looking_intents.MessageShown(_without_opengl(reason))))
 
@@ -225,6 +226,7 @@ def shown_of(state: EditorState) -> Shown:
         reference=reference.surface if reference else None,
         reference_name=reference.name if reference else "",
         knot=state.knot,
+        curve=curve_in_hand(state),
         comparison=_comparison_of(state),
         opening=state.file.opening,
         dragging=state.gesture is not None,

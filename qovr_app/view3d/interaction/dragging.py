@@ -1,4 +1,4 @@
-"""Dragging control points, from the press of the mouse to its release."""
+"""Dragging control points."""
 
 from __future__ import annotations
 
@@ -6,25 +6,18 @@ from dataclasses import dataclass
 from decimal import Decimal
 
 import numpy as np
-from PySide6.QtCore import QObject, QPointF, Qt, Signal, SignalInstance
-from PySide6.QtGui import QKeyEvent
+from PySide6.QtCore import QPointF, Signal
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.gestures import next_gesture
+from qovr_app.view3d.interaction.dragger import FINE, Dragger
 from qovr_app.view3d.interaction.typed_number import TypedNumber
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.grip import ALONG_NORMAL, Freedom, Grip, across, along, rounded
+from qovr_app.view3d.scene.grip import ALONG_WAY, Freedom, Grip, across, along, rounded
 from qovr_app.view3d.scene.hand import DragMarks
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import NetIndex
 from qovr_core.geometry.closest import closest_points
-
-DRAG_START = 3.0
-"""Pixels the mouse moves before a press becomes a drag: a click selects and must not edit."""
-
-_FINE = 0.1
-"""Part of the mouse's way that a point goes while Shift is held."""
 
 _STILL = 1e-9
 """Unit lengths; a coordinate that moves by less is not meant to move, as z seen from above."""
@@ -69,38 +62,25 @@ class HeldPoints:
         return np.where(has_normal, normals, [0.0, 0.0, 1.0])
 
 
-class PointDragger(QObject):
+class PointDragger(Dragger):
     """Moves the control points that are held in a widget.
 
     Signals
     -------
     dragged : the points (i, j), the one in the hand first, how far each is from where it was when the drag began,
         (k, 3) in the document's units, and the drag's gesture number
-    finished, cancelled : the gesture number
-    changed : the drag looks different
     """
 
     dragged = Signal(object, object, int)
-    finished = Signal(int)
-    cancelled = Signal(int)
-    changed = Signal()
 
     def __init__(self, widget: QWidget) -> None:
         super().__init__(widget)
-        self._widget = widget
         self._held: HeldPoints | None = None
-        self._gesture = 0
-        self._typed = TypedNumber()
 
     @property
     def is_pressed(self) -> bool:
         """Whether the mouse holds control points."""
         return self._held is not None
-
-    @property
-    def is_dragging(self) -> bool:
-        """Whether the points have begun to move."""
-        return self._gesture != 0
 
     @property
     def marks(self) -> DragMarks | None:
@@ -113,28 +93,12 @@ class PointDragger(QObject):
 
     def press(self, held: HeldPoints, at: QPointF) -> None:
         """Take hold of points."""
-        self._held, self._pressed_at, self._at = held, at, at
+        self._held = held
+        self._press_at(at)
         self._begun = held.points
         self._kept, self._moved = np.zeros_like(self._begun), np.zeros_like(self._begun)
-        self._is_fine, self._snaps = False, False
-        self._normals = held.normals() if held.freedom == ALONG_NORMAL else np.zeros_like(self._begun)
-        self._typed = TypedNumber()
+        self._normals = held.normals() if held.freedom == ALONG_WAY else np.zeros_like(self._begun)
         self._grip = self._grip_of(held, held.freedom)
-
-    def move_to(self, at: QPointF, *, is_fine: bool, snaps: bool) -> None:
-        """Move what is held to where it belongs under the mouse, a tenth of its way, or on multiples of the step."""
-        if self._held is None:
-            return
-        if is_fine is not self._is_fine:
-            self._is_fine = is_fine
-            self._take_again(self._grip.freedom)
-        self._at, self._snaps = at, snaps
-        if not self.is_dragging:
-            if (at - self._pressed_at).manhattanLength() < DRAG_START:
-                return
-            self._gesture = next_gesture()
-            self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
-        self._report()
 
     def lock(self, axis: int, *, plane: bool) -> None:
         """Keep to a line along an axis, or to the plane that it stands on; the same again frees the points."""
@@ -145,38 +109,21 @@ class PointDragger(QObject):
         self._take_again(self._held.freedom if self._grip.freedom == wanted else wanted)
         self.changed.emit()
 
-    def type(self, event: QKeyEvent) -> None:
-        """Take a key of a number; while one stands there, the mouse is not followed."""
-        if self.is_dragging and self._is_one_way and self._typed.take(event):
-            self._report()
-
-    def finish(self) -> None:
-        """End a drag, if there is one, where the points are now."""
-        self._end(self.finished)
-
-    def cancel(self) -> None:
-        """End a drag, if there is one; the points go back."""
-        self._end(self.cancelled)
-
-    def drop(self) -> None:
-        """Let go of the points, without a word."""
-        has_held, self._gesture, self._held = self.is_pressed, 0, None
-        if has_held:
-            self.changed.emit()
-
     @property
     def _step(self) -> float | None:
         """What the points' coordinates are multiples of; None where they are free."""
-        return self._held.picture.tools.snap_step if self._held is not None and self._snaps else None
+        if self._held is None or self._held.picture.tools.snaps is self._has_control:
+            return None
+        return self._held.picture.tools.snap_step
 
     @property
-    def _is_one_way(self) -> bool:
-        return self._grip.freedom.axis is not None or self._grip.freedom.along_normal
+    def _has_one_number(self) -> bool:
+        return self._grip.freedom.axis is not None or self._grip.freedom.along_way
 
     @property
     def _is_difference(self) -> bool:
         held = self._held
-        return held is not None and (held.is_difference or len(held.indices) > 1 or self._grip.freedom.along_normal)
+        return held is not None and (held.is_difference or len(held.indices) > 1 or self._grip.freedom.along_way)
 
     def _grip_of(self, held: HeldPoints, freedom: Freedom) -> Grip:
         return Grip(
@@ -187,14 +134,17 @@ class PointDragger(QObject):
             self._normals[0],
             (self._at.x(), self._at.y()),
             freedom,
-            _FINE if self._is_fine else 1.0,
+            FINE if self._is_fine else 1.0,
         )
 
-    def _take_again(self, freedom: Freedom) -> None:
+    def _take_again(self, freedom: Freedom | None = None) -> None:
         """Go on from where the points are now: with another fineness or freedom, the mouse's way means another."""
         if self._held is not None:
             self._kept = self._moved
-            self._grip = self._grip_of(self._held, freedom)
+            self._grip = self._grip_of(self._held, freedom or self._grip.freedom)
+
+    def _let_go(self) -> None:
+        self._held = None
 
     def _report(self) -> None:
         """Say where the points belong now."""
@@ -222,8 +172,8 @@ class PointDragger(QObject):
         """Follow the mouse, in numbers no finer than what a pixel means."""
         grip = self._grip
         step, move = self._step, grip.moved(self._at.x(), self._at.y())
-        if grip.freedom.along_normal:
-            length = rounded(np.array([move @ grip.normal]), grip.pixel.min(keepdims=True), step)
+        if grip.freedom.along_way:
+            length = rounded(np.array([move @ grip.way]), grip.pixel.min(keepdims=True), step)
             self._moved = self._kept + length * self._normals
             return
         is_still = np.abs(move * grip.frame.scale) < _STILL
@@ -231,12 +181,6 @@ class PointDragger(QObject):
         lead = np.array([_apart(*pair) for pair in zip(target.tolist(), self._begun[0].tolist(), strict=True)])
         moved = self._kept + (lead - self._kept[0])
         self._moved = np.where(is_still, self._kept, moved)
-
-    def _end(self, ended: SignalInstance) -> None:
-        gesture, self._gesture, self._held = self._gesture, 0, None
-        if gesture:
-            ended.emit(gesture)
-        self.changed.emit()
 
 
 def _apart(value: float, origin: float) -> float:

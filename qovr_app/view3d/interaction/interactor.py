@@ -9,16 +9,18 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.looking_intents import Picking
+from qovr_app.state.looking_intents import MessageShown, Picking
 from qovr_app.view3d.interaction.camera_input import moved_by_gesture, moved_by_key, moved_by_wheel
 from qovr_app.view3d.interaction.dragging import PointDragger
 from qovr_app.view3d.interaction.keys import arrow_step, axis_of
+from qovr_app.view3d.interaction.knot_dragging import KnotDragger
 from qovr_app.view3d.interaction.mouse import Mouse
-from qovr_app.view3d.interaction.picking import gizmo_under, points_under
+from qovr_app.view3d.interaction.picking import gizmo_under, handle_under, points_under
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.grip import Freedom
-from qovr_app.view3d.scene.hand import Hand
+from qovr_app.view3d.scene.hand import Hand, KnotMarks
 from qovr_app.view3d.scene.picture import Picture
+from qovr_core.geometry.knots import KnotPlace
 
 KEPT_POINTS = "A control net keeps all its points. Move one, or make the net flat or symmetric by the Edit menu."
 """What is said instead of deleting."""
@@ -42,7 +44,7 @@ class Interactor(QObject):
     """Watches the events of one viewport. It reports; the view decides.
 
     ``camera_requested(Camera)``; ``pointed`` with the mouse's x and y, or None when it has left; ``hovered`` with a net
-    index or None; ``said`` with a sentence for the user; ``radius_turned`` with the notches that the wheel went while
+    index or None; ``wanted`` with an intent; ``radius_turned`` with the notches that the wheel went while
     points were dragged softly; ``changed()`` when something else is to be drawn. What is picked reports the ``mouse``,
     what is dragged the ``dragger``.
 
@@ -54,7 +56,7 @@ class Interactor(QObject):
     camera_requested = Signal(object)
     pointed = Signal(object)
     hovered = Signal(object)
-    said = Signal(str)
+    wanted = Signal(object)
     radius_turned = Signal(float)
     changed = Signal()
 
@@ -62,12 +64,16 @@ class Interactor(QObject):
         super().__init__(viewport.widget)
         self._viewport, self.widget, self._picture = viewport, viewport.widget, picture
         self.dragger = PointDragger(self.widget)
-        self.mouse = Mouse(self.dragger)
+        self.knot_dragger = KnotDragger(self.widget)
+        self.mouse = Mouse(self.dragger, self.knot_dragger)
         self._freedom: Freedom | None = None
+        self._knot: KnotPlace | None = None
         self._letter_is_down = False
         self.mouse.camera_requested.connect(self.camera_requested)
-        for part in (self.mouse, self.dragger):
+        for part in (self.mouse, self.dragger, self.knot_dragger):
             part.changed.connect(self.changed)
+        for source in (self.mouse, self.knot_dragger):
+            source.wanted.connect(self.wanted)
         self.widget.setMouseTracking(True)
         self.widget.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.widget.installEventFilter(self)
@@ -75,8 +81,9 @@ class Interactor(QObject):
     @property
     def hand(self) -> Hand:
         """What is seen of the mouse in this viewport."""
-        marks = self.dragger.marks
-        return Hand(self._freedom if marks is None else marks.freedom, marks, self.mouse.band)
+        marks, hovered = self.dragger.marks, None if self._knot is None else KnotMarks(self._knot)
+        freedom = self._freedom if marks is None else marks.freedom
+        return Hand(freedom, marks, self.mouse.band, self.knot_dragger.marks or hovered)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         picture = self._picture()
@@ -136,11 +143,14 @@ class Interactor(QObject):
     def _hover(self, at: QPointF) -> None:
         picture, size = self._picture(), self._viewport.logical_size  # a drag that has just ended leaves another one
         freedom = None if picture is None else gizmo_under(picture, size, at.x(), at.y())
-        points = points_under(picture, size, at.x(), at.y()) if picture is not None and freedom is None else []
-        is_free = freedom is None and not points
+        handle = handle_under(picture, size, at.x(), at.y()) if picture is not None and freedom is None else None
+        is_free = freedom is None and handle is None
+        points = points_under(picture, size, at.x(), at.y()) if picture is not None and is_free else []
+        is_free = is_free and not points
         self.widget.setCursor(Qt.CursorShape.ArrowCursor if is_free else Qt.CursorShape.PointingHandCursor)
-        if freedom != self._freedom:
-            self._freedom = freedom
+        knot = None if handle is None else handle.place
+        if (freedom, knot) != (self._freedom, self._knot):
+            self._freedom, self._knot = freedom, knot
             self.changed.emit()
         self.hovered.emit(points[0] if points else None)
 
@@ -148,34 +158,34 @@ class Interactor(QObject):
 
     def _on_key(self, event: QKeyEvent, picture: Picture) -> bool:
         if event.type() == QEvent.Type.ShortcutOverride:
-            if self.dragger.is_pressed:  # whatever shortcuts the window has, a drag is not disturbed
+            if self.mouse.dragger.is_pressed:  # whatever shortcuts the window has, a drag is not disturbed
                 event.accept()
-            return self.dragger.is_pressed
-        if self.dragger.is_pressed:
-            self._on_key_in_drag(event, picture)
+            return self.mouse.dragger.is_pressed
+        if self.mouse.dragger.is_pressed:
+            self._on_key_in_drag(event)
             return True
         return event.type() == QEvent.Type.KeyPress and self._on_key_press(event, picture)
 
-    def _on_key_in_drag(self, event: QKeyEvent, picture: Picture) -> None:
+    def _on_key_in_drag(self, event: QKeyEvent) -> None:
         key, axis, is_press = event.key(), axis_of(event), event.type() == QEvent.Type.KeyPress
         if axis is not None:
             if not event.isAutoRepeat():
                 self._letter_is_down = is_press
                 if is_press:
-                    self.dragger.lock(axis, plane=_has_shift(event.modifiers()))
-                self.mouse.follow_modifiers(self._without_letter(event.modifiers()), picture)
+                    self.mouse.dragger.lock(axis, plane=_has_shift(event.modifiers()))
+                self.mouse.follow_modifiers(self._without_letter(event.modifiers()))
         elif key in (Qt.Key.Key_Shift, Qt.Key.Key_Control):
             changed = (
                 Qt.KeyboardModifier.ShiftModifier if key == Qt.Key.Key_Shift else Qt.KeyboardModifier.ControlModifier
             )
             held = event.modifiers() | changed if is_press else event.modifiers() & ~changed
-            self.mouse.follow_modifiers(self._without_letter(held), picture)
+            self.mouse.follow_modifiers(self._without_letter(held))
         elif is_press and key == Qt.Key.Key_Escape:
             self.mouse.put_back()
         elif is_press and key in _ENTER:
             self.mouse.commit()
         elif is_press:
-            self.dragger.type(event)
+            self.mouse.dragger.type(event)
 
     def _without_letter(self, modifiers: Qt.KeyboardModifier) -> Qt.KeyboardModifier:
         """Return the modifiers without Shift while it belongs to the letter of an axis."""
@@ -186,13 +196,13 @@ class Interactor(QObject):
         if key == Qt.Key.Key_Escape:
             if self.mouse.is_held:
                 self.mouse.put_back()
-            elif picture.selected:
+            elif picture.selected or picture.curve is not None:
                 self.mouse.picked.emit((), Picking.REPLACE)
             else:
                 return False
             return True
         if key == Qt.Key.Key_Delete:
-            self.said.emit(KEPT_POINTS)
+            self.wanted.emit(MessageShown(KEPT_POINTS))
             return True
         if self.mouse.is_held:
             return False

@@ -2,18 +2,28 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, QPointF, Qt, Signal
+from PySide6.QtCore import QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
-from qovr_app.state.looking_intents import Picking
+from qovr_app.state.looking_intents import FieldFocused, Picking
 from qovr_app.state.tools import Way
 from qovr_app.view3d.interaction.camera_input import moved_by_mouse, pivot_under
-from qovr_app.view3d.interaction.dragging import DRAG_START, HeldPoints, PointDragger
+from qovr_app.view3d.interaction.curve_picking import curve_under, points_of
+from qovr_app.view3d.interaction.dragger import DRAG_START, Dragger
+from qovr_app.view3d.interaction.dragging import HeldPoints, PointDragger
+from qovr_app.view3d.interaction.knot_dragging import KnotDragger, reset_knot
 from qovr_app.view3d.interaction.mouse_schemes import motion_of
-from qovr_app.view3d.interaction.picking import gizmo_under, menu_wish, net_line_under, points_under, points_within
-from qovr_app.view3d.interaction.press import Doing, Press
+from qovr_app.view3d.interaction.picking import (
+    chosen_of,
+    gizmo_under,
+    handle_under,
+    menu_wish,
+    points_under,
+    points_within,
+)
+from qovr_app.view3d.interaction.press import Doing, Press, picking_of
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.grip import ALONG_NORMAL, IN_VIEW, Freedom, along
+from qovr_app.view3d.scene.grip import ALONG_WAY, IN_VIEW, Freedom, along
 from qovr_app.view3d.scene.hand import Band, MenuPlace
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.document import NetIndex
@@ -21,7 +31,7 @@ from qovr_core.document import NetIndex
 _LEFT, _RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 _SHIFT, _CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
 
-_FREEDOMS = {Way.Z: along(2), Way.VIEW: IN_VIEW, Way.NORMAL: ALONG_NORMAL}
+_FREEDOMS = {Way.Z: along(2), Way.VIEW: IN_VIEW, Way.NORMAL: ALONG_WAY}
 """What may change of a point that is itself dragged."""
 
 
@@ -33,22 +43,29 @@ class Mouse(QObject):
     camera_requested : a Camera
     picked : control points (i, j), the last one picked last, and what they do to the selection
     opened : the control point whose fields are wanted
-    menu_asked : a MenuWish
+    menu_asked : a MenuWish, and the place of the screen
+    wanted : an intent
     changed : something else is to be drawn
     """
 
     camera_requested = Signal(object)
     picked = Signal(object, object)
     opened = Signal(object)
-    menu_asked = Signal(object)
+    menu_asked = Signal(object, QPoint)
+    wanted = Signal(object)
     changed = Signal()
 
-    def __init__(self, dragger: PointDragger) -> None:
-        super().__init__(dragger)
-        self._dragger = dragger
+    def __init__(self, points: PointDragger, knots: KnotDragger) -> None:
+        super().__init__(points)
+        self._points, self._knots = points, knots
         self._press: Press | None = None
         self._last = QPointF()
         self._clicked: QPointF | None = None
+
+    @property
+    def dragger(self) -> Dragger:
+        """What follows the mouse with what is held; that of the points where nothing is."""
+        return self._knots if self._knots.is_pressed else self._points
 
     @property
     def band(self) -> Band | None:
@@ -72,16 +89,20 @@ class Mouse(QObject):
             self._press = Press(event.button(), at, Doing.LOOK, motion, pivot_under(picture, size, at))
 
     def double_click(self, event: QMouseEvent, picture: Picture, size: Size) -> None:
-        """Open the fields of a control point, or select a row or column; elsewhere it is another press."""
+        """Reset a knot, open the fields of a point, or select a row or column; elsewhere it is another press."""
         x, y = event.position().x(), event.position().y()
         if event.button() != _LEFT or self._press is not None or gizmo_under(picture, size, x, y):
             self.press(event, picture, size)
             return
-        points, line = points_under(picture, size, x, y), net_line_under(picture, size, x, y)
-        if points:
-            self.opened.emit(_chosen(points, picture))
-        elif line:
-            self.picked.emit(tuple(line), Picking.REPLACE)
+        handle, points = handle_under(picture, size, x, y), points_under(picture, size, x, y)
+        curve = curve_under(picture, size, x, y)
+        if handle is not None:
+            self.wanted.emit(reset_knot(handle))
+        elif points:
+            self.opened.emit(chosen_of(points, picture))
+        elif curve is not None:
+            self.picked.emit(points_of(picture, curve), Picking.REPLACE)
+            self.wanted.emit(FieldFocused(curve))
         else:
             self.press(event, picture, size)
             return
@@ -99,16 +120,16 @@ class Mouse(QObject):
             return
         press.has_moved = press.has_moved or (at - press.at).manhattanLength() >= DRAG_START
         if press.doing is Doing.MOVE:
-            self._drag(at, modifiers, picture)
+            self._drag(at, modifiers)
         elif press.doing is Doing.SELECT:
             self.changed.emit()
         elif press.doing is Doing.LOOK and press.motion is not None and press.has_moved:
             self.camera_requested.emit(moved_by_mouse(press.motion, moved, picture.camera, size, press.pivot))
 
-    def follow_modifiers(self, modifiers: Qt.KeyboardModifier, picture: Picture) -> None:
+    def follow_modifiers(self, modifiers: Qt.KeyboardModifier) -> None:
         """Go on with other modifiers where the mouse is."""
-        if self._dragger.is_dragging:
-            self._drag(self._last, modifiers, picture)
+        if self.dragger.is_dragging:
+            self._drag(self._last, modifiers)
 
     def release(self, event: QMouseEvent, picture: Picture, size: Size) -> None:
         """End what the press began."""
@@ -116,35 +137,35 @@ class Mouse(QObject):
         if press is None or event.button() != press.button:
             return
         self._press = None
-        if press.doing is Doing.MOVE and self._dragger.is_dragging:
-            self._dragger.finish()
+        if press.doing is Doing.MOVE and self.dragger.is_dragging:
+            self.dragger.finish()
         elif press.doing is Doing.MOVE:
-            self._dragger.finish()
+            self.dragger.finish()
             self._click_on_points(press, picture, size)
         elif press.doing is Doing.SELECT and press.has_moved:
             corner, other = ((at.x(), at.y()) for at in (press.at, event.position()))
             self.picked.emit(tuple(points_within(picture, size, corner, other)), press.picking)
         elif press.doing in (Doing.SELECT, Doing.LOOK) and not press.has_moved:
-            self._click(press, picture, size)
+            self._click(press, picture, size, event.globalPosition().toPoint())
         self._clicked = None if press.has_moved else press.at
         self.changed.emit()
 
     def put_back(self) -> None:
         """End what the press began as if it had never been, and wait for the release."""
-        self._dragger.cancel()
+        self.dragger.cancel()
         if self._press is not None:
             self._press.doing = Doing.WAIT
         self.changed.emit()
 
     def drop(self) -> None:
         """Let go of what is held, without a word, and wait for the release."""
-        self._dragger.drop()
+        self.dragger.drop()
         if self._press is not None:
             self._press.doing = Doing.WAIT
 
     def commit(self) -> None:
         """End a drag where the points are, and wait for the release."""
-        self._dragger.finish()
+        self.dragger.finish()
         if self._press is not None:
             self._press.doing = Doing.WAIT
 
@@ -154,20 +175,24 @@ class Mouse(QObject):
         return self._press is not None
 
     def _take(self, event: QMouseEvent, picture: Picture, size: Size) -> Press:
-        """Return what a press of the left button begins: gizmo, point, rectangle or camera, in this order."""
+        """Return what a press of the left button begins: gizmo, knot, point, rectangle or camera, in this order."""
         at, modifiers = event.position(), event.modifiers()
         freedom = gizmo_under(picture, size, at.x(), at.y())
         if freedom is not None and picture.last_selected is not None:
             self._hold(picture, size, picture.last_selected, freedom, at)
             return Press(_LEFT, at, Doing.MOVE)
         points = points_under(picture, size, at.x(), at.y())
+        knot = self._knots.take(picture, size, at)
+        if knot is not None:  # clicked again, it means the point behind it
+            is_again = picture.curve is not None and knot.place == picture.curve.focus
+            return Press(_LEFT, at, Doing.MOVE, point=chosen_of(points, picture) if points and is_again else None)
         if picture.tools.selects or (modifiers & _CONTROL and not points):
-            picking = _picking(modifiers) if picture.tools.selects or modifiers & _SHIFT else Picking.REPLACE
+            picking = picking_of(modifiers) if picture.tools.selects or modifiers & _SHIFT else Picking.REPLACE
             return Press(_LEFT, at, Doing.SELECT, point=points[0] if points else None, picking=picking)
         if points:
-            index = _chosen(points, picture)
+            index = chosen_of(points, picture)
             if modifiers & (_SHIFT | _CONTROL):
-                self.picked.emit((index,), _picking(modifiers))
+                self.picked.emit((index,), picking_of(modifiers))
                 return Press(_LEFT, at, Doing.WAIT)
             if index not in picture.selected:
                 self.picked.emit((index,), Picking.REPLACE)
@@ -181,11 +206,10 @@ class Mouse(QObject):
         others = picture.selected - {index} if index in picture.selected else frozenset()
         way = _FREEDOMS[picture.tools.way] if freedom is None else freedom
         held = HeldPoints(picture, size, (index, *sorted(others)), way, is_difference=freedom is not None)
-        self._dragger.press(held, at)
+        self._points.press(held, at)
 
-    def _drag(self, at: QPointF, modifiers: Qt.KeyboardModifier, picture: Picture) -> None:
-        snaps = picture.tools.snaps is not bool(modifiers & _CONTROL)
-        self._dragger.move_to(at, is_fine=bool(modifiers & _SHIFT), snaps=snaps)
+    def _drag(self, at: QPointF, modifiers: Qt.KeyboardModifier) -> None:
+        self.dragger.move_to(at, is_fine=bool(modifiers & _SHIFT), has_control=bool(modifiers & _CONTROL))
 
     def _click_on_points(self, press: Press, picture: Picture, size: Size) -> None:
         """Select the point that was clicked alone; of several in one place the next, where it was clicked before."""
@@ -200,28 +224,22 @@ class Mouse(QObject):
         if picture.selected != {wanted}:
             self.picked.emit((wanted,), Picking.REPLACE)
 
-    def _click(self, press: Press, picture: Picture, size: Size) -> None:
+    def _click(self, press: Press, picture: Picture, size: Size, on_screen: QPoint) -> None:
         """Ask for a menu, select a point with the tool for it, or clear the selection."""
         if press.button == _RIGHT:
             wish = menu_wish(picture, size, press.at.x(), press.at.y())
             if wish.place is MenuPlace.POINT and not picture.selected.intersection(wish.points):
                 self.picked.emit(wish.points[:1], Picking.REPLACE)
-            self.menu_asked.emit(wish)
+            self.menu_asked.emit(wish, on_screen)
         elif press.point is not None:
             self.picked.emit((press.point,), press.picking)
-        elif press.button == _LEFT and picture.selected:
+        elif press.button == _LEFT:
+            self._click_on_curve(press, picture, size)
+
+    def _click_on_curve(self, press: Press, picture: Picture, size: Size) -> None:
+        """Turn to the curve that was clicked; beside every curve, let go of what is selected."""
+        curve = curve_under(picture, size, press.at.x(), press.at.y())
+        if picture.selected or (picture.curve is not None and curve is None):
             self.picked.emit((), Picking.REPLACE)
-
-
-def _picking(modifiers: Qt.KeyboardModifier) -> Picking:
-    """Return what points do to the selection that are picked with modifiers held."""
-    if modifiers & _SHIFT:
-        return Picking.ADD
-    return Picking.TOGGLE if modifiers & _CONTROL else Picking.REPLACE
-
-
-def _chosen(points: list[NetIndex], picture: Picture) -> NetIndex:
-    """Return the point of several in one place that a press means: one that is selected, or else the first."""
-    if picture.last_selected in points:
-        return picture.last_selected
-    return next((index for index in points if index in picture.selected), points[0])
+        if curve is not None:
+            self.wanted.emit(FieldFocused(curve))

@@ -44,3 +44,10 @@ class Press:
     point: NetIndex | None = None
     picking: Picking = Picking.REPLACE
     has_moved: bool = False
+
+
+def picking_of(modifiers: Qt.KeyboardModifier) -> Picking:
+    """Return what points do to the selection that are picked with modifiers held."""
+    if modifiers & Qt.KeyboardModifier.ShiftModifier:
+        return Picking.ADD
+    return Picking.TOGGLE if modifiers & Qt.KeyboardModifier.ControlModifier else Picking.REPLACE

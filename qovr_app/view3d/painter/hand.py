@@ -1,4 +1,4 @@
-"""What the mouse does, over the picture: gizmo, guide line, ghost, numbers of a drag, the rectangle that selects."""
+"""What the mouse does, over the picture: gizmo, handles, guide line, ghost, numbers of a drag, the rectangle."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.state.names import AXES
 from qovr_app.style.theme import Rgb, Theme
-from qovr_app.view3d.painter.colour_bar import bar_rect
-from qovr_app.view3d.painter.note import draw_plate
-from qovr_app.view3d.painter.text import NORMAL, SMALL, Runs, draw_text, plain, text_size
+from qovr_app.view3d.painter.beside import DIGITS, Words, draw_beside, signed_text
+from qovr_app.view3d.painter.knot_handles import draw_chords, draw_knots
+from qovr_app.view3d.painter.text import Runs, draw_text, plain
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.gizmo import gizmo_at
 from qovr_app.view3d.scene.grip import Freedom, across, along
 from qovr_app.view3d.scene.hand import Band, DragMarks
-from qovr_app.view3d.scene.picture import Picture, has_colour_bar
+from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 from qovr_core.number_texts import rounded_text, true_minus
 
@@ -27,13 +27,6 @@ _GUIDE_REACH = 1.6
 """Unit lengths of a guide line both ways: beyond the axes box wherever it begins."""
 
 _GHOST_RADIUS = 5.0
-_DIGITS = 6
-"""Of the numbers beside the point; what a mouse makes has fewer."""
-
-_GAP, _PAD, _LEADING = 16.0, 8.0, 17.0
-_EDGE = 6.0
-"""Pixels that the plate of numbers keeps from the viewport's sides and from the colour bar."""
-
 _HELP = "type a value · Ctrl step · Shift fine · X Y Z lock · Esc back"
 
 
@@ -48,11 +41,13 @@ def draw_hand(painter: QPainter, picture: Picture, size: Size) -> None:
     hand = picture.hand
     if hand is None:
         return
+    draw_chords(painter, picture, size)
     if hand.drag is not None:
         _draw_way(painter, picture, hand.drag, size)
     if picture.has_gizmo and picture.last_selected is not None:
         at = picture.last_selected if hand.drag is None else hand.drag.indices[0]
         _draw_gizmo(painter, picture, picture.scene.points[at], hand.freedom, size)
+    draw_knots(painter, picture, size)
     if hand.drag is not None:
         _draw_numbers(painter, picture, hand.drag, size)
     if hand.band is not None:
@@ -121,11 +116,11 @@ def drag_text(picture: Picture, drag: DragMarks) -> tuple[Runs, str]:
         name = (*name, (f" and {others} more", False))
     now = picture.scene.document.control_points[i, j]
     moved = now - drag.begun[0]
-    if drag.freedom.along_normal:
-        text = f"along the normal {_signed(float(np.linalg.norm(moved)))}" if not drag.typed else ""
+    if drag.freedom.along_way:
+        text = f"along the normal {signed_text(float(np.linalg.norm(moved)))}" if not drag.typed else ""
     else:
         text = "  ".join(
-            f"{AXES[axis]} {rounded_text(now[axis], _DIGITS)} ({_signed(moved[axis])})" for axis in drag.freedom.axes
+            f"{AXES[axis]} {rounded_text(now[axis], DIGITS)} ({signed_text(moved[axis])})" for axis in drag.freedom.axes
         )
     if drag.typed:
         way = AXES[drag.freedom.axis] if drag.freedom.axis is not None else "along the normal"
@@ -133,29 +128,11 @@ def drag_text(picture: Picture, drag: DragMarks) -> tuple[Runs, str]:
     return name, text
 
 
-def _signed(value: float) -> str:
-    text = rounded_text(round(value, 15), _DIGITS)
-    return text if value < 0 else f"+{text}"
-
-
 def _draw_numbers(painter: QPainter, picture: Picture, drag: DragMarks, size: Size) -> None:
-    """Draw the plate beside the point that says where it is; it never lies over the colour bar."""
-    x, y = picture.camera.project(picture.scene.points[drag.indices[0]][None], size)[0, :2].tolist()
-    if not np.isfinite(x):
-        return
+    """Say beside the point where it is."""
     name, numbers = drag_text(picture, drag)
-    line: Runs = (*name, (f"   {numbers}", False))
-    width = max(text_size(line, NORMAL)[0], text_size(plain(_HELP), SMALL)[0]) + 2 * _PAD
-    height = 2 * _LEADING + _PAD
-    right = bar_rect(size).left() - _EDGE if has_colour_bar(picture.settings, size) else size[0] - _EDGE
-    left = x + _GAP if x + _GAP + width <= right else x - _GAP - width
-    plate = QRectF(
-        min(max(left, _EDGE), right - width), min(max(y + _GAP, _EDGE), size[1] - height - _EDGE), width, height
-    )
-    draw_plate(painter, plate, picture.theme)
-    top = plate.top() + _PAD / 2 + _LEADING / 2
-    draw_text(painter, line, (plate.left() + _PAD, top), (0, 0.5), picture.theme.ink, pixels=NORMAL)
-    draw_text(painter, plain(_HELP), (plate.left() + _PAD, top + _LEADING), (0, 0.5), picture.theme.quiet_ink)
+    point = picture.scene.points[drag.indices[0]]
+    draw_beside(painter, picture, point, Words((*name, (f"   {numbers}", False)), _HELP), size)
 
 
 def _draw_band(painter: QPainter, band: Band, theme: Theme) -> None:

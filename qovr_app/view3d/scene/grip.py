@@ -1,4 +1,7 @@
-"""Where a point belongs that a hand moves: along axes, along the normal, or in the plane of the view. NumPy alone."""
+"""Where a point belongs that a hand moves: along axes, along a way of its own, or in the plane of the view.
+
+NumPy alone.
+"""
 
 from __future__ import annotations
 
@@ -26,11 +29,11 @@ class Freedom:
     Parameters
     ----------
     axes : the axes 0, 1, 2 along which it moves: one is a line, two a plane, all three the plane of the view
-    along_normal : it moves along the surface's normal, and ``axes`` is empty
+    along_way : it moves along a way of its own, and ``axes`` is empty
     """
 
     axes: tuple[int, ...] = ()
-    along_normal: bool = False
+    along_way: bool = False
 
     @property
     def axis(self) -> int | None:
@@ -39,7 +42,7 @@ class Freedom:
 
 
 IN_VIEW = Freedom((0, 1, 2))
-ALONG_NORMAL = Freedom(along_normal=True)
+ALONG_WAY = Freedom(along_way=True)
 
 
 def along(axis: int) -> Freedom:
@@ -60,7 +63,7 @@ class Grip:
     ----------
     frame, camera, size : as they were then
     point : (3,) where the point was, in the document's units
-    normal : (3,) the surface's normal at its place nearest to the point, of length 1 in the document's units
+    way : (3,) a way of the point's own, in the document's units: the surface's normal, a knot's chord
     at : the pixel where the mouse was
     freedom : what may change
     fineness : what part of the mouse's way the point goes
@@ -70,7 +73,7 @@ class Grip:
     camera: Camera
     size: Size
     point: Array
-    normal: Array
+    way: Array
     at: tuple[float, float]
     freedom: Freedom
     fineness: float = 1.0
@@ -91,8 +94,8 @@ class Grip:
     @property
     def ways(self) -> Array:
         """The unit vectors (k, 3) of the unit space along which the point moves."""
-        if self.freedom.along_normal:
-            way = self.normal * self.frame.scale
+        if self.freedom.along_way:
+            way = self.way * self.frame.scale
             return read_only((way / np.linalg.norm(way))[None])
         return read_only(np.eye(3)[list(self.freedom.axes)])
 

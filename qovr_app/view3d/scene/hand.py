@@ -6,8 +6,13 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from qovr_app.view3d.scene.grip import Freedom
+from qovr_app.view3d.scene.knot_handles import KnotHandle
 from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
+from qovr_core.geometry.knots import KnotPlace
+
+RESET = 0.5
+"""What a knot is reset to, and the presets begin with: the middle point lies halfway between its neighbours."""
 
 Band = tuple[float, float, float, float]
 """Left, top, right and bottom of a rectangle that is drawn with the mouse, in logical pixels."""
@@ -16,6 +21,7 @@ Band = tuple[float, float, float, float]
 class MenuPlace(StrEnum):
     """What a menu is asked for."""
 
+    KNOT = "knot"
     POINT = "point"
     NET_LINE = "net line"
     COLOUR_BAR = "colour bar"
@@ -31,11 +37,13 @@ class MenuWish:
     place : what it is for
     at : the pixel of the viewport
     points : the control points there, the nearest first, or those of the line
+    knot : the knot whose handle is there, or one of the curve that is; None elsewhere
     """
 
     place: MenuPlace
     at: tuple[float, float]
     points: tuple[NetIndex, ...] = ()
+    knot: KnotPlace | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +69,24 @@ class DragMarks:
 
 
 @dataclass(frozen=True, eq=False)
+class KnotMarks:
+    """The handle of a knot that is under the mouse or in the hand.
+
+    Parameters
+    ----------
+    place : which knot
+    begun : the handle as it was when the drag began; None while the mouse is only over it
+    typed : the number that is being typed
+    is_possible : whether that can be a knot
+    """
+
+    place: KnotPlace
+    begun: KnotHandle | None = None
+    typed: str = ""
+    is_possible: bool = True
+
+
+@dataclass(frozen=True, eq=False)
 class Hand:
     """Everything that is seen of the mouse in one viewport.
 
@@ -69,8 +95,10 @@ class Hand:
     freedom : of the part of the gizmo that is under the mouse or in use; None for none
     drag : the points that are being moved; None for none
     band : the rectangle that selects; None for none
+    knot : the handle of a knot that is under the mouse or in use; None for none
     """
 
     freedom: Freedom | None = None
     drag: DragMarks | None = None
     band: Band | None = None
+    knot: KnotMarks | None = None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 
@@ -12,6 +13,7 @@ from qovr_app.style.theme import Theme, theme_of
 from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
 from qovr_app.view3d.scene.hand import Hand
+from qovr_app.view3d.scene.knot_handles import CurveInHand, KnotHandle, handles_of
 from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_app.view3d.scene.probing import Parameters
@@ -43,6 +45,7 @@ class Picture:
     caption : a word in the corner that tells two viewports apart, or nothing
     tools : what a hand does here
     hand : what is seen of it; None in figures
+    curve : the curve whose knots it finds handles of; None for none
     """
 
     settings: DisplaySettings
@@ -56,6 +59,7 @@ class Picture:
     caption: str = ""
     tools: ToolSettings = field(default_factory=ToolSettings)
     hand: Hand | None = None
+    curve: CurveInHand | None = None
 
     @property
     def theme(self) -> Theme:
@@ -66,6 +70,13 @@ class Picture:
     def has_gizmo(self) -> bool:
         """Whether a hand finds a gizmo at the point that was selected last."""
         return self.hand is not None and self.settings.control_points and self.last_selected is not None
+
+    @cached_property
+    def knot_handles(self) -> list[KnotHandle]:
+        """The handles that a hand finds: none in figures, and none of a surface that has no such knots."""
+        if self.hand is None or self.curve is None or not self.settings.knot_handles or self.scene.is_comparison:
+            return []
+        return handles_of(self.curve, self.scene.document.control_points, self.scene.frame)
 
     @property
     def leaves_frame(self) -> bool:

@@ -23,6 +23,7 @@ SHOWN = {
     "control_net": "Control &net",
     "row_curves": "&Row curves C_i(u)",
     "column_curves": "C&olumn curves K_j(v)",
+    "knot_handles": "&Knot handles",
     "control_box": "&Box of the control points",
     "surface_box": "Box of the sur&face",
     "axes": "&Axes",

@@ -459,7 +459,7 @@ def test_keys_walk_over_nets_of_any_shape():
 
 def test_keys_walk_over_the_net_and_tab_leaves_it(owner):
     viewport, said = owner.view.viewports[0], []
-    owner.view.said.connect(said.append)
+    owner.view.wanted.connect(lambda intent: said.append(intent.text))
     viewport.setFocus()
     for key in (Qt.Key.Key_Right, Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Tab):
         QTest.keyClick(viewport, key)

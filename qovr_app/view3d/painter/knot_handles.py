@@ -1,0 +1,120 @@
+"""The chords of the curve in focus, and its knots as handles on them."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QLineF, QPointF, Qt
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+
+from qovr_app.style.canvas import dimmed
+from qovr_app.style.theme import Rgb
+from qovr_app.view3d.painter.beside import Words, draw_beside, signed_text
+from qovr_app.view3d.painter.text import NORMAL, Runs, draw_text
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.hand import KnotMarks
+from qovr_app.view3d.scene.knot_handles import KnotHandle
+from qovr_app.view3d.scene.picture import Picture
+from qovr_core.arrays import Array
+from qovr_core.number_texts import number_text, true_minus
+
+_SERIES = {"r": 1, "s": 2, "u": 2, "t": 3}
+"""The colours are those of the transformations r(u), s(u) and t(u) in every plot."""
+
+_CHORD_WIDTH, _RIM = 1.3, 2.0
+_RADIUS, _USED_RADIUS, _SMALL_RADIUS = 6.0, 7.5, 4.5
+"""From the middle of a handle to its corners; that of s is small, where it is another place than that of u."""
+
+_END_GAP = 7.0
+"""Pixels at either end of a chord that are left to the control point there."""
+
+_LETTER_AWAY = 15.0
+_GHOST = 0.55
+"""Opacity of the handle where it was when the drag began."""
+
+_HELP = "type a value · Ctrl step · Shift fine · Esc back"
+_HELP_OF_BOTH = "Ctrl lets s stay · type a value · Shift fine · Esc back"
+_IMPOSSIBLE = "a knot lies between 0 and 1, and is neither"
+
+
+def draw_chords(painter: QPainter, picture: Picture, size: Size) -> None:
+    """Draw the chords, under everything that a hand takes."""
+    for handle in picture.knot_handles:
+        ends = _seen(picture, handle.ends, size)
+        length = float(np.hypot(*(ends[1] - ends[0])))
+        if length > 2 * _END_GAP:  # and so no end is behind the eye
+            gap = _END_GAP / length * (ends[1] - ends[0])
+            ends = ends + np.array([gap, -gap])
+            for colour, width in ((picture.theme.rim, _CHORD_WIDTH + _RIM), (_colour(handle, picture), _CHORD_WIDTH)):
+                painter.setPen(QPen(QColor(*colour), width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
+                painter.drawLine(QLineF(*ends[0].tolist(), *ends[1].tolist()))
+
+
+def draw_knots(painter: QPainter, picture: Picture, size: Size) -> None:
+    """Draw the handles, and the numbers of the one in the hand."""
+    marks = picture.hand.knot if picture.hand else None
+    for handle in picture.knot_handles:
+        _draw_handle(painter, picture, handle, marks, size)
+    if marks is not None and marks.begun is not None:
+        handle = next((each for each in picture.knot_handles if each.place == marks.place), marks.begun)
+        line, below = knot_text(handle, marks), _HELP_OF_BOTH if marks.begun.takes_s else _HELP
+        words = Words(line, below) if marks.is_possible else Words(line, _IMPOSSIBLE, picture.theme.bad)
+        draw_beside(painter, picture, picture.scene.frame.to_unit(handle.point), words, size)
+
+
+def knot_text(handle: KnotHandle, marks: KnotMarks) -> Runs:
+    """Return which knot is in the hand, what it is now, and how far that is from what it was."""
+    name: Runs = ((f"{handle.place.letter}", False), ("ip", True))
+    if handle.takes_s:
+        name = (*name, (" = s", False), ("ip", True))
+    if marks.typed:
+        return (*name, (f"  = {true_minus(marks.typed)}|", False))
+    moved = "" if marks.begun is None else f" ({signed_text(handle.value - marks.begun.value)})"
+    return (*name, (f"  {number_text(handle.value)}{moved}", False))
+
+
+def _draw_handle(painter: QPainter, picture: Picture, handle: KnotHandle, marks: KnotMarks | None, size: Size) -> None:
+    is_used = marks is not None and marks.place == handle.place
+    theme, colour = picture.theme, _colour(handle, picture)
+    radius = _USED_RADIUS if is_used else _SMALL_RADIUS if handle.place.name == "s" else _RADIUS
+    if is_used and marks is not None and marks.begun is not None:
+        with dimmed(painter, _GHOST):
+            ghost = _seen(picture, marks.begun.point, size)
+            _draw_diamond(painter, ghost, _RADIUS, (theme.rim, colour, theme.background))
+    at = _seen(picture, handle.point, size)
+    _draw_diamond(painter, at, radius, (theme.rim, colour, colour if is_used else theme.background))
+    if not np.isfinite(at).all() or (marks is not None and marks.begun is not None):
+        return
+    ends = _seen(picture, handle.ends, size)
+    way = ends[1] - ends[0]
+    length = float(np.hypot(*way))
+    aside = np.array([way[1], -way[0]]) / length if np.isfinite(length) and length > 1 else np.array([0.0, 1.0])
+    if aside[1] < 0:  # below its chord: the points' names stand above them
+        aside = -aside
+    text: Runs = ((handle.place.letter, False),)
+    if is_used and marks is not None:
+        text = knot_text(handle, marks)
+    x, y = (at + _LETTER_AWAY * aside).tolist()
+    draw_text(painter, text, (x, y), (0.5, 0.5), colour, pixels=NORMAL, halo=theme.rim)
+
+
+def _draw_diamond(painter: QPainter, at: Array, radius: float, colours: tuple[Rgb, Rgb, Rgb]) -> None:
+    """Draw a diamond at a pixel in three colours: its rim, its line, its ground."""
+    if not np.isfinite(at).all():
+        return
+    x, y = at.tolist()
+    corners = [QPointF(x, y - radius), QPointF(x + radius, y), QPointF(x, y + radius), QPointF(x - radius, y)]
+    rim, line, ground = colours
+    painter.setBrush(QColor(*ground))
+    for ink, width in ((rim, 4.0), (line, 2.0)):
+        painter.setPen(QPen(QColor(*ink), width))
+        painter.drawPolygon(QPolygonF(corners))
+
+
+def _colour(handle: KnotHandle, picture: Picture) -> Rgb:
+    return picture.theme.series[_SERIES[handle.place.name]]
+
+
+def _seen(picture: Picture, points: Array, size: Size) -> Array:
+    """Return the pixels of points (..., 3) of the document, (..., 2)."""
+    pixels: Array = picture.camera.project(picture.scene.frame.to_unit(points), size)[..., :2]
+    return pixels

@@ -1,0 +1,70 @@
+"""Knots in the view: whose handles it shows, and what the menus on a handle and on a curve do."""
+
+from __future__ import annotations
+
+from qovr_app.state.editor_state import EditorState
+from qovr_app.state.intents import Intent, ValuesEdited
+from qovr_app.state.knot_intents import KnotsSet
+from qovr_app.state.knot_links import window_along
+from qovr_app.state.looking_intents import FieldFocused
+from qovr_app.state.names import label
+from qovr_app.view3d.scene.hand import RESET
+from qovr_app.view3d.scene.knot_handles import CurveInHand
+from qovr_app.widgets.plain import menu_text
+from qovr_core.edits import Place, knots_of, value_at
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
+from qovr_core.number_texts import number_text
+
+Choices = list[tuple[str, Intent]]
+"""What a menu offers: the text, and what it asks for."""
+
+
+def curve_in_hand(state: EditorState) -> CurveInHand | None:
+    """Return the curve of the knot that is turned to, with the document's knots, be the surface of others or not."""
+    focus = state.focus
+    if not isinstance(focus, KnotPlace):
+        return None
+    knots = knots_of(state.document, focus.direction)[focus.curve]
+    return CurveInHand(focus, window_along(state.window, focus.direction), knots)
+
+
+def knot_choices(place: KnotPlace, state: EditorState) -> Choices:
+    """Return what can be done with one knot."""
+    window, value = window_along(state.window, place.direction), value_at(state.document, place)
+
+    def setting(curve: int | None, to: float) -> KnotsSet:
+        return KnotsSet(place.direction, curve, window, place.name, to, takes_s=True, in_view=True)
+
+    name = f"{place.letter}_ip"
+    return [
+        (menu_text(f"Reset {label(place)} to {number_text(RESET)}"), setting(place.curve, RESET)),
+        (
+            menu_text(f"Set {name} to {number_text(value)} on all curves {_family(state, place.direction)}"),
+            setting(None, value),
+        ),
+    ]
+
+
+def curve_choices(place: KnotPlace, state: EditorState) -> Choices:
+    """Return what can be done with the knots of one curve."""
+    own, curves = knots_of(state.document, place.direction)[place.curve], _curves(state, place.direction)
+    name = place.direction.curve_name(place.curve)
+    middle: dict[Place, float] = {KnotPlace(place.direction, place.curve, knot): RESET for knot in KNOT_NAMES}
+    on_all: dict[Place, float] = {
+        KnotPlace(place.direction, curve, knot): getattr(own, knot) for curve in curves for knot in KNOT_NAMES
+    }
+    family = _family(state, place.direction)
+    return [
+        (menu_text(f"Show the knots of {name}"), FieldFocused(place)),
+        (menu_text(f"Reset the knots of {name} to {number_text(RESET)}"), ValuesEdited(middle)),
+        (menu_text(f"Set the knots of {name} on all curves {family}"), ValuesEdited(on_all)),
+    ]
+
+
+def _curves(state: EditorState, direction: Direction) -> range:
+    return range(len(knots_of(state.document, direction)))
+
+
+def _family(state: EditorState, direction: Direction) -> str:
+    curves = _curves(state, direction)
+    return f"{direction.curve_name(curves[0])} to {direction.curve_name(curves[-1])}"
