@@ -89,6 +89,8 @@ def create_window(path: str | None = None) -> MainWindow:
 def _edit(arguments: argparse.Namespace) -> int:
     from qovr_app.window.application import make_application
     from qovr_app.window.post import Post
+    from qovr_app.window.preferences import Preferences
+    from qovr_app.window.preferences_shell import apply_preferences
     from qovr_app.window.signals import EndSignals
     from qovr_core.cli import SIGNALLED
 
@@ -106,6 +108,7 @@ def _edit(arguments: argparse.Namespace) -> int:
         application.exit()
 
     ends.came.connect(end)
+    apply_preferences(Preferences(), open_windows())
     post.came.connect(open_windows().open_all)
     open_windows().open_all(arguments.sources)
     code = application.exec()

@@ -11,6 +11,9 @@ MORE_DIGITS = "…"
 """Stands for digits that are left out."""
 
 _MOST_DIGITS = 16
+_ALL_DIGITS = 17
+"""So many tell any two doubles apart."""
+
 _LARGEST_WHOLE = 1e5
 """Short texts of what is smaller are whole from 100 on; what is larger has an exponent."""
 
@@ -48,17 +51,17 @@ def number_text(value: float) -> str:
     return _short_exponent(repr(float(value)).removesuffix(".0"))
 
 
-def fitted_text(value: float, fits: Callable[[str], bool]) -> str:
-    """Return a number's text with as many digits as fit; an ellipsis stands for those that do not.
+def fitted_text(value: float, fits: Callable[[str], bool], most: int = _ALL_DIGITS) -> str:
+    """Return a number's text with as many digits as fit, at most so many; an ellipsis stands for those left out.
 
     Magnitude and sign are never cut off: where the whole part does not fit, the text gets an exponent; where that has
     no room beside one digit, the text says that there is one. The digits shown
     are the number's own, not rounded: others follow them.
     """
     exact = number_text(value)
-    if fits(exact):
+    if fits(exact) and len(Decimal(repr(value)).normalize().as_tuple().digits) <= most:
         return exact
-    for digits in range(_MOST_DIGITS, 0, -1):
+    for digits in range(min(most, _MOST_DIGITS), 0, -1):
         shown = float(Context(prec=digits, rounding=ROUND_DOWN).create_decimal(repr(value)))
         mantissa, _, exponent = f"{shown:.{digits}g}".partition("e")
         power = f"e{int(exponent)}" if exponent else ""

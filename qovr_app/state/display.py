@@ -77,6 +77,14 @@ class ThemeName(StrEnum):
     DARK = "dark"
 
 
+class ThemeChoice(StrEnum):
+    """Which of the two colour sets is wanted: always the same, or the system's."""
+
+    SYSTEM = "system"
+    LIGHT = "light"
+    DARK = "dark"
+
+
 class MouseScheme(StrEnum):
     """After which program's habits the middle and the right button of the mouse move the camera."""
 

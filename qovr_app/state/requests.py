@@ -94,6 +94,11 @@ class WindowStepped(Request):
 
 
 @dataclass(frozen=True)
+class PreferencesAsked(Request):
+    """Show what can be preferred."""
+
+
+@dataclass(frozen=True)
 class QuitAsked(Request):
     """Close every window."""
 

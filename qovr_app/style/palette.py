@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor, QGuiApplication, QPalette
 from PySide6.QtWidgets import QApplication
 
-from qovr_app.state.display import ThemeName
+from qovr_app.state.display import ThemeChoice, ThemeName
 from qovr_app.style.theme import Rgb, Theme, theme_of
 
 _ROLE = QPalette.ColorRole
@@ -16,6 +16,9 @@ _DARK_BELOW = 0.5
 """The lightness of a window's ground below which the theme is the dark one."""
 
 _BRIGHT: Rgb = (255, 255, 255)
+
+_chosen = [ThemeChoice.SYSTEM]
+"""What was chosen last; the palette itself says what is in force."""
 
 _CHECK_BOX: Any = "QCheckBox"
 """WORKAROUND: PySide6 declares the class name as bytes, and refuses bytes."""
@@ -29,13 +32,22 @@ def theme_in_force() -> Theme:
 
 def set_theme(name: ThemeName) -> None:
     """Make all windows light or dark, whatever the system says."""
-    scheme = Qt.ColorScheme.Dark if name is ThemeName.DARK else Qt.ColorScheme.Light
-    QGuiApplication.styleHints().setColorScheme(scheme)
-    _use_palette(name)  # some platforms have no scheme to set
+    choose_theme(ThemeChoice(name))
+
+
+def choose_theme(choice: ThemeChoice) -> None:
+    """Make all windows light or dark at once; as the system is, now and whenever it changes, where that is chosen."""
+    hints, _chosen[0] = QGuiApplication.styleHints(), choice
+    if choice is ThemeChoice.SYSTEM:
+        hints.unsetColorScheme()
+        _use_scheme(hints.colorScheme())
+        return
+    hints.setColorScheme(Qt.ColorScheme.Dark if choice is ThemeChoice.DARK else Qt.ColorScheme.Light)
+    _use_palette(ThemeName(choice))  # some platforms have no scheme to set
 
 
 def follow_system() -> None:
-    """Make all windows light or dark as the system is, now and whenever it changes."""
+    """Make all windows light or dark as the system is, now and whenever it changes, until another theme is chosen."""
     hints = QGuiApplication.styleHints()
     _use_scheme(hints.colorScheme())
     hints.colorSchemeChanged.connect(_use_scheme)
@@ -49,7 +61,8 @@ def see_through(palette: QPalette) -> QPalette:
 
 
 def _use_scheme(scheme: Qt.ColorScheme) -> None:
-    _use_palette(ThemeName.DARK if scheme is Qt.ColorScheme.Dark else ThemeName.LIGHT)
+    if _chosen[0] is ThemeChoice.SYSTEM:
+        _use_palette(ThemeName.DARK if scheme is Qt.ColorScheme.Dark else ThemeName.LIGHT)
 
 
 def _use_palette(name: ThemeName) -> None:

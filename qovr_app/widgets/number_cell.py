@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QRectF, Qt
 from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.style.digits import digits_in_force
 from qovr_app.style.palette import see_through, theme_in_force
 from qovr_app.widgets.cell import Marks, paint_cell
 from qovr_app.widgets.growing_line import LEAST_PADDING, PADDING, GrowingLine
@@ -124,7 +125,7 @@ class NumberCell(GrowingLine):
         padding = PADDING if metrics.horizontalAdvance(text) <= self.width() - 2 * PADDING else LEAST_PADDING
         room = self.width() - 2 * padding
         if not self.has_own_text:
-            text = fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room)
+            text = fitted_text(self._value, lambda wanted: metrics.horizontalAdvance(wanted) <= room, digits_in_force())
         if metrics.horizontalAdvance(text) > room:
             text = metrics.elidedText(text, Qt.TextElideMode.ElideRight, room)
         painter.setFont(self.font())

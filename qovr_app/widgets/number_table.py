@@ -7,6 +7,7 @@ from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QAbstractButton, QHeaderView, QLabel, QStyledItemDelegate, QStyleOptionViewItem, QWidget
 
+from qovr_app.style.digits import ALL_DIGITS, USUAL_DIGITS, digits_in_force
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
 from qovr_app.widgets.clipboard import Rows
@@ -14,7 +15,6 @@ from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.arrays import Array
 from qovr_core.number_texts import fitted_text, number_text
 
-_MOST_DIGITS = 6
 _FEWEST_DIGITS = 3
 _ROW_BEYOND_TEXT = 4
 _ITEM_PADDING = 8
@@ -27,7 +27,7 @@ QHeaderView::section { color: palette(placeholder-text); }
 
 
 class _FittingDelegate(QStyledItemDelegate):
-    """Writes a number with as many digits, up to six, as the column is wide; dimmed where it is no longer true."""
+    """Writes a number with as many digits as are shown and the column has room for; dimmed where it is true no more."""
 
     is_quiet = False
 
@@ -37,8 +37,8 @@ class _FittingDelegate(QStyledItemDelegate):
             option.palette.setBrush(QPalette.ColorRole.Text, option.palette.placeholderText())
         value = index.data(Qt.ItemDataRole.UserRole)
         room = option.rect.width() - _ITEM_PADDING
-        for digits in range(_MOST_DIGITS, _FEWEST_DIGITS - 1, -1):
-            option.text = f"{value:.{digits}g}"
+        for digits in range(digits_in_force(), _FEWEST_DIGITS - 1, -1):
+            option.text = f"{value:.{digits}g}" if digits < ALL_DIGITS else number_text(value)
             if option.fontMetrics.horizontalAdvance(option.text) <= room:
                 return
         option.text = fitted_text(value, lambda text: option.fontMetrics.horizontalAdvance(text) <= room)
@@ -85,7 +85,7 @@ class NumberTable(QuietTable):
             if value != self._numbers[r, c]:
                 item = self.item(r, c)
                 item.setData(Qt.ItemDataRole.UserRole, float(value))
-                item.setText(f"{value:.{_MOST_DIGITS}g}")
+                item.setText(f"{value:.{USUAL_DIGITS}g}")
                 item.setToolTip(number_text(value))
         self._numbers = np.array(numbers)
 

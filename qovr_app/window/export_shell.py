@@ -43,7 +43,7 @@ class ExportShell:
     ) -> None:
         self._store, self._window, self._folder, self._worker = store, window, folder, worker
         self._preferences = preferences
-        self._conventions = preferences.conventions if preferences else ExportOptions()
+        self._conventions = ExportOptions()
         self._view_writer, self._commit_typed = view_writer, commit_typed
         self.answers: Answers = {
             requests.ExportAsked: self._export,
@@ -58,7 +58,8 @@ class ExportShell:
         if self._store.state.is_stale:
             self._say("Nothing to export: configure the surface first.", is_refusal=True)
             return
-        document, first = self._store.state.document, self._conventions
+        document = self._store.state.document
+        first = self._preferences.conventions if self._preferences else self._conventions
         dialog = ExportDialog(document, self._stem, self._worker, first, self._window)
         dialog.written.connect(lambda path: self._on_exported(path, dialog.conventions))
         dialog.finished.connect(dialog.deleteLater)

@@ -34,6 +34,7 @@ from qovr_app.window.message_line import MessageLine
 from qovr_app.window.outside import FileWatch, OutsideOffer
 from qovr_app.window.placing import fit_into_screen, place_beside
 from qovr_app.window.preferences import Preferences
+from qovr_app.window.preferences_shell import preferences_answers
 from qovr_app.window.recovery import RecoveryStore
 from qovr_app.window.recovery_offer import RecoveryOffer
 from qovr_app.window.recovery_writer import RecoveryWriter
@@ -95,6 +96,7 @@ class MainWindow(QMainWindow):
             parts.answers,
             HelpShell(lambda: self._actions, self).answers,
             window_answers(self._windows, self),
+            preferences_answers(self._windows, preferences, self),
             self._documents.answers,
             exports.answers,
             self._offer.answers,

@@ -10,7 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from qovr_app.state.display import ColourRange, DisplaySettings
+from qovr_app.state.display import ColourMap, ColourRange, DisplaySettings
 from qovr_app.state.tools import ToolSettings, can_be
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core.fields import FIELDS
@@ -25,6 +25,9 @@ _FORGOTTEN = ("theme", "fixed_range", "selects", "symmetry_rows", "symmetry_colu
 
 _CONVENTIONS = ("unit", "up", "csv_dialect")
 """The choices of an export that are of a person's other programs, and not of one document."""
+
+WORKING_MAP = ColourMap.CIVIDIS
+"""The colours to work with while nobody has chosen others; jet, the paper's, has edges where the surface has none."""
 
 _SET_ASIDE = ".damaged"
 """What is added to the name of a file that cannot be read."""
@@ -80,6 +83,15 @@ class Preferences:
         """Remember a state of a window or splitter."""
         self._write(f"window/{name}", state)
 
+    def chosen(self, key: str, usual: str) -> str:
+        """Return a preference, by the key that holds it."""
+        value = self._store.value(key, usual)
+        return value if isinstance(value, str) else usual
+
+    def choose(self, key: str, value: str) -> None:
+        """Remember a preference."""
+        self._write(key, value)
+
     @property
     def conventions(self) -> ExportOptions:
         """The unit, axis and dialect with which a surface was last exported."""
@@ -97,7 +109,7 @@ class Preferences:
 
     def display(self, first: DisplaySettings) -> DisplaySettings:
         """Return ``first`` with every remembered choice in it."""
-        chosen = self._chosen("view", first)
+        chosen = {"colour_map": WORKING_MAP, **self._chosen("view", first)}
         if chosen.get("colour_by") not in colour_sources():
             chosen.pop("colour_by", None)
         return replace(first, **chosen)

@@ -1,7 +1,7 @@
 """The one table of the window's commands, from which menus, bars, context menus and the keyboard are drawn."""
 
 from qovr_app.window.commands.command import Command
-from qovr_app.window.commands.document import edit_commands, file_commands, surface_commands
+from qovr_app.window.commands.document import edit_commands, file_commands, preference_commands, surface_commands
 from qovr_app.window.commands.points import point_commands, selection_commands
 from qovr_app.window.commands.tools import go_commands, help_commands, laboratory_commands, probe_commands
 from qovr_app.window.commands.tools_of_points import tool_commands
@@ -17,6 +17,7 @@ def command_table() -> tuple[Command, ...]:
         *file_commands(),
         *edit_commands(),
         *selection_commands(),
+        *preference_commands(),
         *point_commands(),
         *tool_commands(),
         *surface_commands(),

@@ -175,6 +175,21 @@ def edit_commands() -> tuple[Command, ...]:
     )
 
 
+def preference_commands() -> tuple[Command, ...]:
+    """Return the command at the end of the menu Edit."""
+    return (
+        Command(
+            "preferences",
+            "Preference&s…",
+            asking(requests.PreferencesAsked()),
+            "&Edit",
+            "Ctrl+,",
+            "Units, digits, theme, mouse and colours, for all windows",
+            begins_part=True,
+        ),
+    )
+
+
 def surface_commands() -> tuple[Command, ...]:
     """Return the commands of the menu Surface."""
     menu = "&Surface"
