@@ -71,7 +71,8 @@ def formulation_chosen(state: EditorState, intent: intents.FormulationChosen) ->
 
 def samples_chosen(state: EditorState, intent: intents.SamplesChosen) -> EditorState:
     n, m = intent.samples
-    return with_document(state, f"Set samples {n} × {m}", edits.set_samples(state.document, intent.samples), intent)
+    document = edits.set_samples(state.document, intent.samples)
+    return with_document(state, f"Set samples {n} × {m}", document, intent, intent.gesture)
 
 
 def gesture_begun(state: EditorState, intent: intents.GestureBegun) -> EditorState:

@@ -13,7 +13,16 @@ from enum import Enum
 from pathlib import Path
 from typing import Any
 
-from qovr_app.state import display, intents, knot_intents, looking_intents, point_intents, requests, tools
+from qovr_app.state import (
+    display,
+    field_intents,
+    intents,
+    knot_intents,
+    looking_intents,
+    point_intents,
+    requests,
+    tools,
+)
 from qovr_app.state.intents import Intent
 from qovr_core import Document, edits, net_edits, symmetry
 from qovr_core.errors import DocumentError
@@ -21,7 +30,8 @@ from qovr_core.files.qovr_document import document_from_json, document_to_json
 
 _KIND, _VALUE = "is", "value"
 
-_MODULES = intents, knot_intents, looking_intents, point_intents, requests, display, tools, edits, net_edits, symmetry
+_INTENTS = intents, field_intents, knot_intents, looking_intents, point_intents, requests
+_MODULES = *_INTENTS, display, tools, edits, net_edits, symmetry
 
 _KINDS: dict[str, Any] = {
     name: kind

@@ -125,9 +125,10 @@ class FormulationChosen(Intent):
 
 @dataclass(frozen=True)
 class SamplesChosen(Intent):
-    """Other sample counts along u and v."""
+    """Other sample counts along u and v; ``gesture`` is 0 for none."""
 
     samples: tuple[int, int]
+    gesture: int = 0
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,8 @@ from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS
 
 AXES = "xyz"
+HEIGHT = AXES.index("z")
+"""The axis along which this method shapes."""
 
 ZONE_TITLES = {
     Zone.ROW_KNOTS: "Row-wise knots",

@@ -7,6 +7,8 @@ from typing import Any
 
 from qovr_app.state import (
     document_steps,
+    field_intents,
+    field_steps,
     intents,
     knot_intents,
     knot_steps,
@@ -30,6 +32,7 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     point_intents.PointsNudged: point_steps.points_nudged,
     point_intents.PointsEdited: point_steps.points_edited,
     point_intents.MadeSymmetric: point_steps.made_symmetric,
+    field_intents.ValuesShifted: field_steps.values_shifted,
     intents.GestureBegun: document_steps.gesture_begun,
     intents.GestureEnded: document_steps.gesture_ended,
     intents.GestureCancelled: document_steps.gesture_cancelled,

@@ -21,8 +21,8 @@ class Theme:
     another surface over it; ``series`` are five lines in one plot, by P_0..P_4 where they belong to points.
 
     Of fields and marks: ``cell`` and ``edge`` are a field at rest, ``hover`` its edge under the pointer, ``idle_ink``
-    writes a number without effect; ``accent`` marks focus and what is not yet set, ``warn`` what will surprise, ``bad``
-    what is refused; the ``*_cell`` colours lie behind text.
+    writes a number without effect; ``accent`` is the keyboard's focus, ``selected`` what is selected, ``pending`` what
+    is not set yet, ``bad`` what is refused, ``warn`` what will surprise; the ``*_cell`` colours lie behind text.
 
     Of the palette, from which Fusion draws all else: ``window``, ``button`` and ``tool_tip`` are grounds, ``light`` to
     ``shadow`` the shades of raised edges, ``faded_ink`` writes what is disabled, ``placeholder_ink`` what stands in a
@@ -52,8 +52,9 @@ class Theme:
     hover: Rgb
     idle_ink: Rgb
     accent_cell: Rgb
+    pending: Rgb
+    pending_cell: Rgb
     warn: Rgb
-    warn_cell: Rgb
     bad: Rgb
     bad_cell: Rgb
     window: Rgb
@@ -94,8 +95,9 @@ _THEMES = {
         hover=(150, 156, 166),
         idle_ink=(112, 118, 127),
         accent_cell=(225, 236, 255),
+        pending=(202, 138, 4),
+        pending_cell=(255, 243, 205),
         warn=(176, 104, 0),
-        warn_cell=(255, 243, 217),
         bad=(198, 40, 40),
         bad_cell=(255, 230, 228),
         window=(243, 244, 246),
@@ -134,8 +136,9 @@ _THEMES = {
         hover=(120, 126, 136),
         idle_ink=(148, 154, 163),
         accent_cell=(36, 56, 88),
+        pending=(245, 196, 66),
+        pending_cell=(66, 54, 20),
         warn=(240, 180, 80),
-        warn_cell=(66, 52, 26),
         bad=(255, 122, 115),
         bad_cell=(78, 34, 34),
         window=(38, 41, 47),

@@ -3,27 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 
-from PySide6.QtCore import QEvent, Qt, Signal
-from PySide6.QtGui import (
-    QFocusEvent,
-    QKeyEvent,
-    QKeySequence,
-    QMouseEvent,
-    QWheelEvent,
-)
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QKeySequence, QMouseEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.typed import is_block
-from qovr_app.state.typed_numbers import trimmed, typed_value
+from qovr_app.state.scrubbing import Scrub
 from qovr_app.widgets.bursts import Bursts
-from qovr_app.widgets.clipboard import pasted_cells
-from qovr_app.widgets.number_cell import NumberCell
+from qovr_app.widgets.scrubbing import Scrubbing
+from qovr_app.widgets.typed_field import TypedField
 from qovr_core import QovrError
-from qovr_core.number_texts import number_text, stepped
+from qovr_core.number_texts import stepped
 
 _NOTCH = 120
 """What Qt counts for one notch of a wheel; trackpads and fine wheels send parts of it."""
+
+PIXEL = 0.5
+"""Part of a key's step that a pixel of the mouse means: a hand moves some hundred of them with ease."""
 
 _STEPS: dict[int, float] = {
     Qt.Key.Key_Up: 1.0,
@@ -33,32 +30,34 @@ _STEPS: dict[int, float] = {
 }
 
 
-class NumberField(NumberCell):
-    """Shows a number exactly and lets another be typed.
+@dataclass(frozen=True)
+class Snapping:
+    """Of what a dragged number is a multiple while Ctrl is held, or while it is not where it is on."""
 
-    Its text is the shortest that reads back as the number. Text that differs from the shown number is the field's own:
-    it stays until it is committed, reverted, or the number itself changes.
+    step: Callable[[], float]
+    is_on: Callable[[], bool] = lambda: False
+
+
+class NumberField(TypedField):
+    """A number that is typed, stepped by keys and wheel, and dragged sideways.
 
     Parameters
     ----------
-    name : what messages call the field
-    check : returns a typed value as the number it is, or raises a QovrError; its arguments are value and name
+    name, check : as for every field that is typed into
     step : by how much an arrow key changes a number, which may depend on how large it is
+    least : the least change that means something; 0 for none
+    snapping : of what a dragged number is a multiple; without, of the step while Ctrl is held
 
     Signals
     -------
-    value_edited : a valid number and its gesture, 0 for none
-    refused : why the text is no number for this field; empty when a refusal no longer holds
-    text_owned : whether the field has text of its own has changed
+    gesture_begun, gesture_ended, gesture_cancelled : the number is dragged, with its gesture
     focused : the field has the keyboard now
-    block_pasted : several cells are on the clipboard, and were pasted here
     """
 
-    value_edited = Signal(float, int)
-    refused = Signal(str)
-    text_owned = Signal()
+    gesture_begun = Signal(int)
+    gesture_ended = Signal(int)
+    gesture_cancelled = Signal(int)
     focused = Signal()
-    block_pasted = Signal()
 
     def __init__(
         self,
@@ -66,95 +65,29 @@ class NumberField(NumberCell):
         check: Callable[[object, str], float],
         step: Callable[[float], float],
         parent: QWidget | None = None,
+        *,
+        least: float = 0.0,
+        snapping: Snapping | None = None,
     ) -> None:
-        super().__init__(parent)
-        self._name, self._check, self._step_size = name, check, step
+        super().__init__(name, check, parent)
+        self._step_size = step
+        self._least = least
+        self.snapping = snapping or Snapping(lambda: self.step_size)
+        self._start, self._text_before = 0.0, ""
+        self._scrubbing = Scrubbing(self, self._taken, self.snapping.is_on)
+        self._scrubbing.begun.connect(self.gesture_begun)
+        self._scrubbing.scrubbed.connect(self._on_scrubbed)
+        self._scrubbing.ended.connect(self.gesture_ended)
+        self._scrubbing.ended.connect(self.selectAll)  # what is typed next replaces it
+        self._scrubbing.cancelled.connect(self._on_scrub_cancelled)
         self._bursts = Bursts(self)
         self._turned = 0
         self._selects_on_release = False
-        self.textChanged.connect(self._on_text_changed)
-        self.editingFinished.connect(self.commit)
 
-    # The number
-
-    def show_value(self, value: float, *, is_unset: bool = False) -> None:
-        """Show a number; the field's own text stays where the number is the one it had."""
-        if value != self._value or not self._shown:
-            self._put(value)
-        if is_unset != self._is_unset:
-            self._is_unset = is_unset
-            self._refresh()
-
-    def revert(self) -> None:
-        """Drop the field's own text."""
-        self._put(self._value)
-
-    def typed(self) -> float:
-        """Return the number that the text says.
-
-        Raises
-        ------
-        QovrError : it says none that the field may hold; the field is marked
-        """
-        if not self.has_own_text:
-            return self._value
-        try:
-            return typed_value(self.text(), self._name, self._check, self._value)
-        except QovrError as error:
-            self._error = str(error)
-            self._refresh()
-            raise
-
-    def commit(self) -> None:
-        """Report the field's own text as an edit, or why it is none."""
-        if not self.has_own_text:
-            return
-        try:
-            value = self.typed()
-        except QovrError as error:
-            self.refused.emit(str(error))
-            return
-        self._put(value)
-        self.value_edited.emit(value, 0)
-
-    def refuse(self, value: float, reason: str) -> None:
-        """Hold the text as the field's own again, whose number was refused; ``value`` is the number that stays."""
-        self._value, self._shown, self._error = value, number_text(value), reason
-        self._refresh()
-        self.text_owned.emit()
-
-    def accept(self) -> None:
-        """Take the field's own text, which is a valid number, for the number it shows."""
-        self._put(self.typed())
-
-    def _put(self, value: float) -> None:
-        had_error = bool(self._error)
-        self._value, self._shown, self._error = value, number_text(value), ""
-        self.setText(self._shown)
-        self.setModified(False)
-        if not self.hasFocus():
-            self.setCursorPosition(0)
-        self._refresh()
-        if had_error:
-            self.refused.emit("")
-
-    def _on_text_changed(self) -> None:
-        if self._error:
-            self._error = ""
-            self.refused.emit("")
-        self._refresh()
-        self.text_owned.emit()
-
-    # Keys and mouse
-
-    def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
-            is_history = event.matches(QKeySequence.StandardKey.Undo) or event.matches(QKeySequence.StandardKey.Redo)
-            if is_history and not self.has_own_text:
-                # The line edit would keep these keys for itself; with nothing typed they are the document's.
-                event.ignore()
-                return False
-        return super().event(event)
+    @property
+    def step_size(self) -> float:
+        """By how much an arrow key changes the number."""
+        return self._step_size(self._value)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in _STEPS and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:
@@ -166,19 +99,6 @@ class NumberField(NumberCell):
             self.paste()
         else:
             super().keyPressEvent(event)
-
-    def paste(self) -> None:
-        """Paste a number in full, whatever of it the table shows; several cells are for whoever has their places."""
-        try:
-            cells = pasted_cells()
-        except QovrError as error:
-            self.refused.emit(str(error))
-            return
-        if is_block(cells):
-            self.block_pasted.emit()
-        elif cells and cells[0]:
-            cell = cells[0][0]
-            self.insert(trimmed(cell) if isinstance(cell, str) else number_text(cell))
 
     def _step(self, count: float) -> None:
         try:
@@ -201,6 +121,34 @@ class NumberField(NumberCell):
         self._turned -= count * _NOTCH
         if count:
             self._step(count)
+
+    def _taken(self) -> Scrub:
+        """Return the number as the mouse takes it, what is typed over it forgotten until it is put back."""
+        self._text_before = self.text() if self.has_own_text else ""
+        self._start = self._value
+        self._put(self._value)
+        return Scrub(self._value, max(self.step_size * PIXEL, self._least), self.snapping.step(), self.may_be)
+
+    def may_be(self, value: float) -> bool:
+        """Return whether a number is one that the field may hold."""
+        try:
+            self._check(value, self._name)
+        except QovrError:
+            return False
+        return True
+
+    def _on_scrubbed(self, value: float, gesture: int) -> None:
+        self._put(value)
+        self.value_edited.emit(value, gesture)
+
+    def _on_scrub_cancelled(self, gesture: int) -> None:
+        self._put(self._start)
+        self.gesture_cancelled.emit(gesture)
+        if self._text_before:
+            self.setText(self._text_before)
+
+    def mouseDoubleClickEvent(self, _event: QMouseEvent) -> None:
+        self.selectAll()  # Qt would take a word, and a number is several of them
 
     def mouseReleaseEvent(self, event: QMouseEvent) -> None:
         super().mouseReleaseEvent(event)

@@ -14,11 +14,8 @@ from qovr_app.widgets.plain import plain_label
 
 W = TypeVar("W", bound=QWidget)
 
-_PALE = 140
-"""An accent lighter than this takes dark text, and stays as it is."""
-
-_DEEPER = 125
-"""Fusion paints buttons lighter than their colour; white text needs the accent itself at least."""
+_DUE_INK = QColor(24, 20, 8)
+"""Writes on amber, which is light in both themes."""
 
 
 class CompactButton(QPushButton):
@@ -34,7 +31,7 @@ class CompactButton(QPushButton):
         self.setAutoDefault(False)
 
     def set_due(self, is_due: bool) -> None:
-        """Colour the button while it is what comes next."""
+        """Colour the button, as what is pending, while it is what comes next."""
         if is_due != self._is_due:
             self._is_due = is_due
             self._colour()
@@ -48,10 +45,8 @@ class CompactButton(QPushButton):
         palette = QPalette()
         self._coloured_for = theme_in_force()
         if self._is_due:
-            accent = QColor(*self._coloured_for.accent)
-            is_pale = accent.lightness() > _PALE
-            palette.setColor(QPalette.ColorRole.Button, accent if is_pale else accent.darker(_DEEPER))
-            palette.setColor(QPalette.ColorRole.ButtonText, QColor(*self._coloured_for.selected_ink))
+            palette.setColor(QPalette.ColorRole.Button, QColor(*self._coloured_for.pending))
+            palette.setColor(QPalette.ColorRole.ButtonText, _DUE_INK)
         self.setPalette(palette)
 
 

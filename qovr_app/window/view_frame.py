@@ -47,8 +47,8 @@ class StaleMark(QLabel):
     def paintEvent(self, event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QColor(*theme_in_force().warn))
-        painter.setBrush(QColor(*theme_in_force().warn_cell))
+        painter.setPen(QColor(*theme_in_force().pending))
+        painter.setBrush(QColor(*theme_in_force().pending_cell))
         painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 4, 4)
         painter.end()
         super().paintEvent(event)

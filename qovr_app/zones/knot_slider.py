@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QRectF, Qt, Signal
-from PySide6.QtGui import QColor, QPainter, QPaintEvent
+from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 
 from qovr_app.state.gestures import next_gesture
@@ -17,23 +17,32 @@ _BAND = 3.0
 
 
 class KnotSlider(QSlider):
-    """Moves one knot.
+    """Moves one knot; Escape, the right button and a lost focus put it back, and wait for the button's release.
 
     Signals
     -------
     knot_moved : the wanted value, and the gesture to which the movement belongs
+    gesture_begun, gesture_ended, gesture_cancelled : the handle is dragged, with its gesture
+    reset_asked : the slider was clicked twice
     """
 
     knot_moved = Signal(float, int)
+    gesture_begun = Signal(int)
+    gesture_ended = Signal(int)
+    gesture_cancelled = Signal(int)
+    reset_asked = Signal()
+
+    _gesture = 0  # events come before the first line of __init__ has run
+    _waits = False
 
     def __init__(self, name: str, parent: QWidget | None = None) -> None:
         super().__init__(Qt.Orientation.Horizontal, parent)
         self.setObjectName(name)
+        self.setToolTip("Drag to move the knot, click twice to reset it")
         self.setRange(1, _PARTS - 1)
         self.setSingleStep(_PARTS // 100)
         self.setPageStep(_PARTS // 10)
         self._forward: tuple[float, float] | None = None
-        self._gesture = 0
         self._bursts = Bursts(self)
         self.sliderPressed.connect(self._on_pressed)
         self.sliderReleased.connect(self._on_released)
@@ -55,12 +64,68 @@ class KnotSlider(QSlider):
 
     def _on_pressed(self) -> None:
         self._gesture = next_gesture()
+        self.gesture_begun.emit(self._gesture)
 
     def _on_released(self) -> None:
-        self._gesture = 0
+        gesture, self._gesture = self._gesture, 0
+        if gesture:
+            self.gesture_ended.emit(gesture)
+
+    def _cancel(self) -> None:
+        """Have the knot put back; the mouse is not followed until its button is released."""
+        gesture, self._gesture, self._waits = self._gesture, 0, True
+        self.setSliderDown(False)
+        self.gesture_cancelled.emit(gesture)
 
     def _on_value_changed(self, value: int) -> None:
         self.knot_moved.emit(value / _PARTS, self._gesture or self._bursts.step())
+
+    # Mouse and keys
+
+    def event(self, event: QEvent) -> bool:
+        kind = event.type()
+        if self._gesture and kind in (QEvent.Type.FocusOut, QEvent.Type.Hide, QEvent.Type.WindowDeactivate):
+            self._cancel()
+        elif kind == QEvent.Type.ShortcutOverride and self._is_escape(event):
+            event.accept()
+            return True
+        return super().event(event)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        if self._gesture:
+            self._cancel()
+        elif event.button() == Qt.MouseButton.LeftButton:
+            self._waits = False
+            super().mousePressEvent(event)
+        else:
+            event.ignore()
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        if not self._waits:
+            super().mouseMoveEvent(event)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        if self._waits and event.button() != Qt.MouseButton.LeftButton:
+            return
+        self._waits = False
+        super().mouseReleaseEvent(event)
+
+    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+        if event.button() == Qt.MouseButton.LeftButton:
+            self.reset_asked.emit()
+
+    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+        if not self._waits:
+            super().contextMenuEvent(event)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if self._is_escape(event):
+            self._cancel()
+        elif not self._gesture:
+            super().keyPressEvent(event)
+
+    def _is_escape(self, event: QEvent) -> bool:
+        return bool(self._gesture) and isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from itertools import chain
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
+from qovr_app.state.defaults import default_value
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import FormulationChosen, Intent
 from qovr_app.state.knot_intents import KnotsSet
@@ -18,8 +19,11 @@ from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.clipboard import Rows
-from qovr_app.widgets.parts import Note, named, symbol
+from qovr_app.widgets.header_label import HeaderLabel
+from qovr_app.widgets.parts import Note, named
 from qovr_app.widgets.wheel import guard_from_wheels
+from qovr_app.zones.gestures import dispatch_gestures
+from qovr_app.zones.headings import Headings
 from qovr_app.zones.knot_slider import KnotSlider
 from qovr_app.zones.zone import FieldZone
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
@@ -48,11 +52,14 @@ class KnotsZone(FieldZone):
         index = "i" if direction is Direction.ROWS else "j"
         super().__init__(Zone(direction.value), f"{symbol_html(letter, index)}(<i>{parameter}</i>)", store, parent)
         self._direction = direction
+        self._headings = Headings(store, self.fields)
         self._layout.addLayout(self._make_grid())
         self._caption = QLabel(self)
         self._slider = KnotSlider(f"{direction}.slider", self)
         guard_from_wheels(self._slider)
         self._slider.knot_moved.connect(self._on_slider_moved)
+        self._slider.reset_asked.connect(lambda: self._on_slider_moved(default_value(store.state, self._knot), 0))
+        dispatch_gestures(self._slider, store.dispatch)
         slider_row = QHBoxLayout()
         slider_row.setSpacing(2 * SPACE)
         slider_row.addWidget(self._caption)
@@ -109,21 +116,26 @@ class KnotsZone(FieldZone):
         grid = QGridLayout()
         grid.setHorizontalSpacing(SPACE)
         grid.setVerticalSpacing(2)
-        letter = self._direction.letter
-        for r, row in enumerate(self._table(), start=1):
+        table = self._table()
+        for r, row in enumerate(table, start=1):
+            grid.addWidget(self._line_header(row), r, 0)
             for c, place in enumerate(row, start=1):
                 field = self._make_field(place, knot_step)
                 field.set_tip(knot_meaning(place))
                 grid.addWidget(field, r, c)
-                curve = symbol_html(letter, str(place.curve))
-                knot = symbol_html(place.letter, "ip")
-                across, down = (knot, curve) if self._direction is Direction.ROWS else (curve, knot)
-                if c == 1:
-                    grid.addWidget(symbol(down, parent=self), r, 0)
-                if r == 1:
-                    grid.addWidget(symbol(across, parent=self), 0, c, Qt.AlignmentFlag.AlignRight)
-                grid.setColumnStretch(c, 1)
+        for c, column in enumerate(zip(*table, strict=True), start=1):
+            grid.addWidget(self._line_header(column), 0, c, Qt.AlignmentFlag.AlignRight)
+            grid.setColumnStretch(c, 1)
         return grid
+
+    def _line_header(self, line: Sequence[KnotPlace]) -> HeaderLabel:
+        """Return the heading of a line of the table: of one curve, or of one knot of all curves."""
+        first, curves = line[0], sorted({place.curve for place in line})
+        is_curve = len(curves) == 1
+        letter, index = (self._direction.letter, str(first.curve)) if is_curve else (first.letter, "ip")
+        points = [(k, n) if self._direction is Direction.ROWS else (n, k) for k in curves for n in range(NET_SIZE)]
+        name = f"{self._direction}.{self._direction.curve_name(first.curve) if is_curve else first.letter}"
+        return self._headings.heading(symbol_html(letter, index), name, line, points)
 
     def _on_slider_moved(self, value: float, gesture: int) -> None:
         self.fields[self._knot].revert()

@@ -8,15 +8,17 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.names import AXES
+from qovr_app.state.names import AXES, HEIGHT
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.clipboard import Rows
-from qovr_app.widgets.parts import symbol
+from qovr_app.widgets.header_label import HeaderLabel
+from qovr_app.widgets.number_field import Snapping
+from qovr_app.zones.headings import Headings
 from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number
-from qovr_core.document import NET_SIZE
+from qovr_core.document import NET_SIZE, NetIndex
 from qovr_core.edits import CoordinatePlace, Zone
 from qovr_core.number_texts import natural_step
 
@@ -31,6 +33,8 @@ class PointsZone(FieldZone):
 
     def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(Zone.CONTROL_POINTS, symbol_html("P", "i,j"), store, parent)
+        self._snapping = Snapping(lambda: store.state.tools.snap_step, lambda: store.state.tools.snaps)
+        self._headings = Headings(store, self.fields)
         self._layout.addLayout(self._make_grid())
         self._layout.addLayout(self._make_buttons())
         self._layout.addStretch(1)
@@ -73,18 +77,28 @@ class PointsZone(FieldZone):
             expected = "25 x 3 for all points, 5 x 5 for one coordinate of all, or three numbers for one point"
             raise self._no_place(rows, columns, expected) from None
 
+    def _line_header(self, html: str, name: str, points: list[NetIndex], axis: int = HEIGHT) -> HeaderLabel:
+        """Return the heading of a line of the net, which changes one coordinate of its points."""
+        places = [CoordinatePlace(i, j, axis) for i, j in points]
+        header = self._headings.heading(html, f"{self.zone}.{name}", places, points)
+        header.set_quiet()
+        return header
+
     def _make_grid(self) -> QGridLayout:
         grid = QGridLayout()
         grid.setHorizontalSpacing(SPACE)
         grid.setVerticalSpacing(1)
         for j in range(NET_SIZE):
-            grid.addWidget(symbol(f"<i>j</i> = {j}", quiet=True, parent=self), 0, j + 2, Qt.AlignmentFlag.AlignRight)
+            header = self._line_header(f"<i>j</i> = {j}", f"column_{j}", [(i, j) for i in range(NET_SIZE)])
+            grid.addWidget(header, 0, j + 2, Qt.AlignmentFlag.AlignRight)
             grid.setColumnStretch(j + 2, 1)
         line = 1
         for i in _ROWS:
-            grid.addWidget(symbol(f"<i>i</i> = {i}", quiet=True, parent=self), line, 0)
+            row = [(i, j) for j in range(NET_SIZE)]
+            grid.addWidget(self._line_header(f"<i>i</i> = {i}", f"row_{i}", row), line, 0)
             for axis, letter in enumerate(AXES):
-                grid.addWidget(symbol(f"<i>{letter}</i>", quiet=True, parent=self), line + axis, 1)
+                header = self._line_header(f"<i>{letter}</i>", f"row_{i}.{letter}", row, axis)
+                grid.addWidget(header, line + axis, 1)
             for j in range(NET_SIZE):
                 for axis in range(3):
                     place = CoordinatePlace(i, j, axis)

@@ -19,19 +19,19 @@ class SamplesField(NumberField):
 
     Signals
     -------
-    count_edited : the new count
+    count_edited : the new count and its gesture, 0 for none
     """
 
-    count_edited = Signal(int)
+    count_edited = Signal(int, int)
 
     def __init__(self, parameter: str, parent: QWidget | None = None) -> None:
-        super().__init__(f"samples along {parameter}", _check, lambda _count: 1.0, parent)
+        super().__init__(f"samples along {parameter}", _check, lambda _count: 1.0, parent, least=1.0)
         fewest, most = SAMPLES_RANGE
         self.setObjectName(f"surface.samples_{parameter}")
         self.setAccessibleName(f"Samples along {parameter}")
         self.set_tip(f"How many points of the surface are computed along {parameter}, from {fewest} to {most}.")
         self.set_width(self.fontMetrics().horizontalAdvance("00000") + 16)
-        self.value_edited.connect(lambda value, _gesture: self.count_edited.emit(int(value)))
+        self.value_edited.connect(lambda value, gesture: self.count_edited.emit(int(value), gesture))
 
     @property
     def count(self) -> int:

@@ -16,6 +16,7 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_table import NumberTable
 from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
 from qovr_app.widgets.wheel import guard_from_wheels
+from qovr_app.zones.gestures import dispatch_gestures
 from qovr_app.zones.samples_field import SamplesField
 from qovr_core import FORMULATIONS, Document, Evaluation
 
@@ -117,13 +118,14 @@ class SurfaceZone(QFrame):
 
     def _samples_field(self, parameter: str) -> SamplesField:
         field = SamplesField(parameter, self)
-        field.count_edited.connect(lambda _count: self._on_samples_edited())
+        field.count_edited.connect(lambda _count, gesture: self._on_samples_edited(gesture))
+        dispatch_gestures(field, self._store.dispatch)
         field.refused.connect(self._on_refused)
         return field
 
-    def _on_samples_edited(self) -> None:
+    def _on_samples_edited(self, gesture: int) -> None:
         along_u, along_v = (field.count for field in self._samples)
-        self._dispatch(SamplesChosen((along_u, along_v)))
+        self._dispatch(SamplesChosen((along_u, along_v), gesture))
 
     def _on_refused(self, reason: str) -> None:
         refusal = MessageShown(f"{reason}.", is_refusal=True)

@@ -15,8 +15,9 @@ from qovr_app.state.typed import typed_block
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.clipboard import Rows, pasted_cells
-from qovr_app.widgets.number_field import NumberField
+from qovr_app.widgets.number_field import NumberField, Snapping
 from qovr_app.widgets.parts import MARGINS, CompactButton, title_html
+from qovr_app.zones.gestures import dispatch_gestures
 from qovr_core import DocumentError, QovrError
 from qovr_core.edits import Place, Zone, value_at
 
@@ -118,12 +119,15 @@ class FieldZone(QFrame):
     # For the zones
 
     _check: Callable[[object, str], float]
+    _snapping: Snapping | None = None
+    """Of what dragged numbers are multiples; without, of a key's step, while Ctrl is held."""
 
     def _make_field(self, place: Place, step: Callable[[float], float]) -> NumberField:
-        field = NumberField(label(place), self._check, step, self)
+        field = NumberField(label(place), self._check, step, self, snapping=self._snapping)
         field.setObjectName(object_name(place))
         field.setAccessibleName(spoken(place))
         field.value_edited.connect(lambda value, gesture: self._on_value_edited(place, value, gesture))
+        dispatch_gestures(field, self._store.dispatch)
         field.refused.connect(lambda reason: self._refuse(reason and f"{reason}."))
         field.focused.connect(lambda: self._store.dispatch(FieldFocused(place)))
         field.text_owned.connect(lambda: self._on_text_owned(place, field))

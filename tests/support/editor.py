@@ -66,6 +66,21 @@ class Editor:
         state = self.window.store.state
         self.window.store.dispatch(Saved(Path(state.file.title), state.file.title, state.history.serial))
 
+    def begin_again(self):
+        """Have the state with which the window began; what the mouse and the keyboard hold is let go."""
+        from qovr_app.state.intents import LiveSwitched, Opened
+        from qovr_app.state.looking_intents import ToolChosen
+        from qovr_app.state.tools import ToolSettings
+        from qovr_core.presets import preset
+
+        self.find("message").setFocus()
+        (QApplication.focusWidget() or self.window).clearFocus()
+        self.mark_saved()
+        self.dispatch(Opened(preset("fig5").document, "fig5"))
+        self.dispatch(LiveSwitched(is_live=True))
+        for name, value in vars(ToolSettings()).items():
+            self.dispatch(ToolChosen(name, value))
+
     def on_evaluation(self, call):
         """Call with every surface that is shown from now on."""
         self.window.store.subscribe(

@@ -8,15 +8,20 @@ from support.editor import Editor
 @pytest.fixture
 def home(tmp_path, monkeypatch):
     """A folder of the test's own for settings, recovery files and everything that is written."""
-    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))
-    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
+    return make_home(tmp_path, monkeypatch)
+
+
+def make_home(folder, monkeypatch):
+    """Have settings, recovery files and everything that is written go into a folder."""
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(folder / "config"))
+    monkeypatch.setenv("XDG_DATA_HOME", str(folder / "data"))
     from PySide6.QtCore import QSettings
 
     for kind in (QSettings.Format.NativeFormat, QSettings.Format.IniFormat):
-        QSettings.setPath(kind, QSettings.Scope.UserScope, str(tmp_path / "config"))
-    (tmp_path / "work").mkdir()
-    monkeypatch.chdir(tmp_path / "work")
-    return tmp_path / "work"
+        QSettings.setPath(kind, QSettings.Scope.UserScope, str(folder / "config"))
+    (folder / "work").mkdir()
+    monkeypatch.chdir(folder / "work")
+    return folder / "work"
 
 
 @pytest.fixture
@@ -40,3 +45,22 @@ def make_editor(app, home):
 def editor(make_editor):
     """The editor as it opens."""
     return make_editor()
+
+
+@pytest.fixture(scope="module")
+def one_window(app, tmp_path_factory):
+    """An editor's window for all tests of a module that only edit, which is much quicker than one for each."""
+    from qovr_app.main import create_window
+
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        make_home(tmp_path_factory.mktemp("shared"), monkeypatch)
+        editor = Editor(create_window(None), (1440, 900))
+        yield editor
+        editor.discard()
+
+
+@pytest.fixture
+def shared_editor(one_window):
+    """The window of the module with the paper's own example in it, as if it had just been opened."""
+    one_window.begin_again()
+    return one_window
