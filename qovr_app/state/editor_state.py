@@ -123,7 +123,7 @@ class EditorState:
     links : what shares a knot that is edited
     window : the window (a, b) of the net through which the zones read
     selection : the selected control points
-    fields : of every zone the field that had the keyboard last
+    fields : of every zone the field that had the keyboard last, the latest of them last
     knot : the knot whose field had the keyboard last
     knot_came_last : whether that was after the last point was selected
     measured_point : the control point that was selected last, whether or not it still is

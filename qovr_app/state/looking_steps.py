@@ -34,7 +34,8 @@ def selected(state: EditorState, intent: looking_intents.Selected) -> EditorStat
 
 def field_focused(state: EditorState, intent: looking_intents.FieldFocused) -> EditorState:
     place = intent.place
-    state = replace(state, fields={**state.fields, zone_of(place): place})
+    others = {zone: other for zone, other in state.fields.items() if zone is not zone_of(place)}
+    state = replace(state, fields={**others, zone_of(place): place})
     if isinstance(place, CoordinatePlace):
         point = (place.i, place.j)
         return _with_points(state, point, frozenset((point,)))

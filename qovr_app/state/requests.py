@@ -130,6 +130,23 @@ class PasteAsked(Request):
 
 
 @dataclass(frozen=True)
+class FieldMenuAsked(Request):
+    """Show the menu of the field that has the keyboard, at a place of the screen."""
+
+    at: tuple[int, int]
+
+
+@dataclass(frozen=True)
+class FieldCopyAsked(Request):
+    """Copy the number of the field that has, or had last, the keyboard."""
+
+
+@dataclass(frozen=True)
+class FieldPasteAsked(Request):
+    """Paste into the field that has, or had last, the keyboard; a table into its zone."""
+
+
+@dataclass(frozen=True)
 class ZoneButtonPressed(Request):
     """Get or Set of the zone that has the keyboard."""
 

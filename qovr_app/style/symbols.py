@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import html
+import re
+
 from qovr_app.style.theme import Rgb
 
 
@@ -10,6 +13,26 @@ def symbol_html(letter: str, index: str) -> str:
     return f"<i>{letter}</i><sub>{index}</sub>"
 
 
-def coloured(html: str, colour: Rgb) -> str:
+def coloured(rich: str, colour: Rgb) -> str:
     """Return rich text in a colour."""
-    return f'<span style="color:#{"".join(f"{part:02x}" for part in colour)}">{html}</span>'
+    return f'<span style="color:#{"".join(f"{part:02x}" for part in colour)}">{rich}</span>'
+
+
+_SYMBOL = re.compile(r"\b([rstuvCK])_(ip|\d+)\b|\bP (\d+),(\d+)")
+"""A symbol as messages write it: r_ip, C_4, P 2,3."""
+
+
+def sentence_html(text: str) -> str:
+    """Return a sentence of plain text as rich text, its symbols with indices set low.
+
+    Examples
+    --------
+    >>> sentence_html("r_ip of C_4 is <0>; P 2,3 is not.")
+    '<i>r</i><sub>ip</sub> of <i>C</i><sub>4</sub> is &lt;0&gt;; <i>P</i><sub>2,3</sub> is not.'
+    """
+    return _SYMBOL.sub(_set_low, html.escape(text, quote=False))
+
+
+def _set_low(found: re.Match[str]) -> str:
+    letter, index, i, j = found.groups()
+    return symbol_html(letter, index) if letter else symbol_html("P", f"{i},{j}")

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.style.digits import digits_in_force
 from qovr_app.style.palette import see_through, theme_in_force
+from qovr_app.widgets.bubble import say_at
 from qovr_app.widgets.cell import Marks, paint_cell
 from qovr_app.widgets.growing_line import LEAST_PADDING, PADDING, GrowingLine
 from qovr_app.widgets.plain import plain_tip
@@ -23,7 +24,7 @@ class NumberCell(GrowingLine):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._value, self._shown = 0.0, ""
-        self._error = self._warning = self._tip = ""
+        self._error = self._said = self._warning = self._tip = ""
         self._is_unset = self._is_idle = self._is_marked = False
         self.setAcceptDrops(False)  # a file dropped here is meant for the window
         self.setPalette(see_through(self.palette()))
@@ -89,12 +90,25 @@ class NumberCell(GrowingLine):
         self.setAccessibleDescription("\n".join(said))
         self.fit()
         self.update()
+        if self._error != self._said:
+            self._say_error()
+
+    def _say_error(self) -> None:
+        """Say at the field what is wrong with it; once it is mended, at another one that is not."""
+        self._said = self._error
+        say_at(self, self._error)
+        parent = self.parentWidget()
+        if parent is not None and not self._error:
+            for other in (cell for cell in parent.findChildren(NumberCell) if cell.error):
+                say_at(other, other.error)
 
     # Looks
 
     def enterEvent(self, event: QEnterEvent) -> None:
         super().enterEvent(event)
         self.update()
+        if self._error:
+            say_at(self, self._error)
 
     def leaveEvent(self, event: QEvent) -> None:
         super().leaveEvent(event)

@@ -24,6 +24,7 @@ from qovr_app.window.document_shell import DocumentShell
 from qovr_app.window.drops import Drops
 from qovr_app.window.export_shell import ExportShell
 from qovr_app.window.facts import Facts
+from qovr_app.window.field_shell import FieldShell
 from qovr_app.window.folder import Folder
 from qovr_app.window.help_shell import HelpShell
 from qovr_app.window.history_menu import HistoryMenu
@@ -95,6 +96,7 @@ class MainWindow(QMainWindow):
         shell = Shell(
             parts.answers,
             HelpShell(lambda: self._actions, self).answers,
+            FieldShell(self.store, self.parts, lambda: self._actions, self).answers,
             window_answers(self._windows, self),
             preferences_answers(self._windows, preferences, self),
             self._documents.answers,

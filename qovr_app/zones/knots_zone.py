@@ -9,8 +9,8 @@ from itertools import chain
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
-from qovr_app.state.defaults import default_value
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.field_facts import default_value
 from qovr_app.state.intents import FormulationChosen, Intent
 from qovr_app.state.knot_intents import KnotsSet
 from qovr_app.state.knot_links import window_along

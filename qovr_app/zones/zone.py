@@ -5,12 +5,14 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Callable, Sequence
 
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent, TextTyped, ValuesEdited, ValuesPasted, ZoneRead, ZoneSet
 from qovr_app.state.looking_intents import FieldFocused, MessageOutdated, MessageShown
 from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
+from qovr_app.state.requests import FieldMenuAsked
 from qovr_app.state.typed import typed_block
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
@@ -132,6 +134,8 @@ class FieldZone(QFrame):
         field.focused.connect(lambda: self._store.dispatch(FieldFocused(place)))
         field.text_owned.connect(lambda: self._on_text_owned(place, field))
         field.block_pasted.connect(self.paste)
+        field.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
+        field.customContextMenuRequested.connect(lambda at: self._ask_for_menu(place, field.mapToGlobal(at)))
         self.fields[place] = field
         return field
 
@@ -144,6 +148,10 @@ class FieldZone(QFrame):
     def _edit_of(self, place: Place, value: float, gesture: int) -> Intent:
         """Return what sets the number at a place."""
         return ValuesEdited({place: value}, gesture)
+
+    def _ask_for_menu(self, place: Place, at: QPoint) -> None:
+        self._store.dispatch(FieldFocused(place))
+        self._store.dispatch(FieldMenuAsked((at.x(), at.y())))
 
     def _on_text_owned(self, place: Place, field: NumberField) -> None:
         self._store.dispatch(TextTyped(place, field.text() if field.has_own_text else None))

@@ -69,15 +69,19 @@ class Editor:
     def begin_again(self):
         """Have the state with which the window began; what the mouse and the keyboard hold is let go."""
         from qovr_app.state.intents import LiveSwitched, Opened
+        from qovr_app.state.knot_intents import LinkSwitched
         from qovr_app.state.looking_intents import ToolChosen
         from qovr_app.state.tools import ToolSettings
         from qovr_core.presets import preset
 
+        if (popup := QApplication.activePopupWidget()) is not None:
+            popup.close()
         self.find("message").setFocus()
         (QApplication.focusWidget() or self.window).clearFocus()
         self.mark_saved()
         self.dispatch(Opened(preset("fig5").document, "fig5"))
         self.dispatch(LiveSwitched(is_live=True))
+        self.dispatch(LinkSwitched("curves", is_on=True))
         for name, value in vars(ToolSettings()).items():
             self.dispatch(ToolChosen(name, value))
 

@@ -34,10 +34,10 @@ def test_an_open_window_follows_light_and_dark(editor, themes):
         editor.settle()
         assert theme_in_force().name is name
         assert editor.window.view.shown.settings.theme is name
-        assert cell_colour(editor, "row_knots.C_4.r") == QColor(*theme_in_force().accent_cell)
+        assert cell_colour(editor, "row_knots.C_4.r") == QColor(*theme_in_force().pending_cell)
         assert cell_colour(editor, "row_knots.C_4.t") == QColor(*theme_in_force().cell)
         due = editor.find("row_knots.set", QAbstractButton).palette().button().color()
-        assert due in (QColor(*theme_in_force().accent), QColor(*theme_in_force().accent).darker(125))
+        assert due == QColor(*theme_in_force().pending)
 
 
 def ink_of(widget, left, right):
@@ -71,12 +71,15 @@ def test_states_look_like_what_they_are(editor):
     editor.type_into("control_points.P_0_1.z", "x")
     editor.field("row_knots.C_4.r").setFocus()
     editor.settle()
-    assert cell_colour(editor, "control_points.P_0_0.z") == QColor(*theme_in_force().accent_cell)
+    assert cell_colour(editor, "control_points.P_0_0.z") == QColor(*theme_in_force().pending_cell)
     assert cell_colour(editor, "control_points.P_0_1.z") == QColor(*theme_in_force().bad_cell)
     assert cell_colour(editor, "control_points.P_0_2.z") == QColor(*theme_in_force().cell)
     editor.click("column_knots.set")
     editor.field("row_knots.C_4.r").setFocus()
-    assert cell_colour(editor, "column_knots.K_1.s") == QColor(*theme_in_force().warn_cell)
+    assert cell_colour(editor, "column_knots.K_1.s") == QColor(*theme_in_force().cell)
+    folding, other = (editor.field(f"column_knots.K_1.{name}").grab().toImage() for name in "sr")
+    assert QColor(folding.pixel(3, 3)) == QColor(*theme_in_force().ink)
+    assert QColor(other.pixel(3, 3)) == QColor(*theme_in_force().cell)
     assert editor.find("control_points.set").isEnabled()
 
 

@@ -1,4 +1,4 @@
-"""What a number is reset to."""
+"""What is known of the field that has, or had last, the keyboard."""
 
 from __future__ import annotations
 
@@ -6,6 +6,16 @@ from qovr_app.state.editor_state import EditorState
 from qovr_core import Knots
 from qovr_core.edits import Place, value_at
 from qovr_core.geometry.knots import KnotPlace
+
+
+def current_place(state: EditorState) -> Place | None:
+    """Return where the field stands that has, or had last, the keyboard; None before any had it."""
+    return next(reversed(tuple(state.fields.values())), None)
+
+
+def value_to_share(state: EditorState, place: Place) -> float:
+    """Return the number of a field, what is typed over it counted."""
+    return value_at(state.pending, place)
 
 
 def default_value(state: EditorState, place: Place) -> float:
