@@ -202,7 +202,7 @@ def drag_slider_and_put_back(editor, way):
     if way == "escape":
         QTest.keyClick(slider, Qt.Key.Key_Escape)
     else:
-        QTest.mousePress(slider, RIGHT, NONE, start)
+        QTest.mouseClick(slider, RIGHT, NONE, start)
     editor.settle()
     assert editor.document == before
     move(slider, start + QPoint(60, 0), NONE)
