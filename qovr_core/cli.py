@@ -9,7 +9,7 @@ import traceback
 from collections.abc import Callable, Sequence
 from typing import Any, NoReturn
 
-from qovr_core.commands import compare, export, figures, info, presets, reproduce, verify
+from qovr_core.commands import compare, desktop, export, figures, info, presets, reproduce, verify
 from qovr_core.commands.common import DONE, SOURCE_HELP, WRONG
 from qovr_core.errors import QovrError, reason_of
 from qovr_core.files.atomic import LOGGER
@@ -19,7 +19,7 @@ from qovr_core.version import VERSION
 SIGNALLED = 128
 """Exit codes after a signal are this and its number: 130 after Ctrl-C, 143 after SIGTERM."""
 
-_COMMANDS = (export, figures, reproduce, verify, compare, presets, info)
+_COMMANDS = (export, figures, reproduce, verify, compare, presets, info, desktop)
 """In the order in which the help lists them."""
 
 Command = Callable[[argparse.Namespace], int]

@@ -59,6 +59,7 @@ FLOORS = {
 
 HEADLESS = {
     "compare": ["paper:fig5", "--json"],
+    "desktop": ["--install"],
     "export": ["paper:fig5", "--samples", "5", *(f"out{suffix}" for suffix in FORMATS)],
     "figures": [".", "--only", "fig5a", "--formats", "png,svg,pdf", "--dpi", "40"],
     "info": ["paper:fig5"],
@@ -155,7 +156,8 @@ def test_the_command_loads_nothing_heavy_before_it_is_needed(command, tmp_path):
 
 
 @pytest.mark.parametrize("command", build_parser()[1].choices)
-def test_every_headless_command_runs_without_qt(command, tmp_path):
+def test_every_headless_command_runs_without_qt(command, tmp_path, monkeypatch):
+    monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     if command == "reproduce":
         loaded_by_command(["export", "paper:fig5", "in.xlsx"], tmp_path)
     assert not loaded_by_command([command, *HEADLESS[command]], tmp_path) & WINDOW_LIBRARIES

@@ -6,11 +6,14 @@ import os
 
 from PySide6.QtWidgets import QApplication
 
+from qovr_app.style.icon import program_icon
 from qovr_app.style.palette import follow_system
 from qovr_app.view3d.gl.support import set_default_format
 from qovr_app.window.display import check_display
 
 NAME = "QOVR Studio"
+DESKTOP_NAME = "qovr-studio"
+"""What the desktop's entry is called, by which a desktop finds the icon and the place of a window."""
 
 
 def make_application(arguments: list[str], *, scale: float | None = None) -> QApplication:
@@ -32,6 +35,8 @@ def make_application(arguments: list[str], *, scale: float | None = None) -> QAp
     application = QApplication(arguments[:1])
     application.setApplicationName(NAME)
     application.setOrganizationName("qovr")
+    application.setDesktopFileName(DESKTOP_NAME)
+    application.setWindowIcon(program_icon())
     application.setStyle("Fusion")
     follow_system()
     return application

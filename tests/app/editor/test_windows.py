@@ -44,6 +44,15 @@ def test_a_window_that_is_hidden_and_shown_again_still_draws(make_editor, spin):
     assert colourful(after) == pytest.approx(colourful(before), abs=0.01)
 
 
+def test_the_windows_have_the_programs_icon_at_every_size(make_editor):
+    icon = make_editor().window.windowIcon()
+    for size in (16, 32, 256):
+        image = icon.pixmap(size, size).toImage()
+        assert image.width() == size
+        assert image.pixelColor(0, 0).alpha() < 128  # its corners are round
+        assert colourful(image) > 0.1
+
+
 def test_a_closed_window_is_let_go(make_editor, spin):
     editor = make_editor("paper:fig5")
     gone = []
