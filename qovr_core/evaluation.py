@@ -73,8 +73,8 @@ class Evaluation:
 
     @property
     def raw_box(self) -> Array:
-        """The box of the raw samples, (3, 2) with columns min and max; the samples are not kept for it."""
-        return self._once("raw_box", lambda: self.patch.sampled_box(self.u, self.v))
+        """The box of the raw samples, (3, 2) with columns min and max; hardly any of them is computed for it."""
+        return self._once("raw_box", lambda: self.patch.sampled_box(*self.document.samples))
 
     @property
     def matrix(self) -> Array:
@@ -119,7 +119,7 @@ class Evaluation:
     @property
     def raw(self) -> Array:
         """Samples of the raw surface, (n, m, 3) indexed [iu, iv]."""
-        return self._once("raw", self._sampled_raw)
+        return self._once("raw", lambda: self.patch.points(self.u, self.v))
 
     @property
     def transformed(self) -> Array:
@@ -139,12 +139,6 @@ class Evaluation:
     @property
     def _alignment(self) -> Alignment:
         return self._once("alignment", lambda: align(self.raw_box, self.control_box, self.rounding))
-
-    def _sampled_raw(self) -> Array:
-        """Compute the raw samples, and with them their box at little cost."""
-        raw, box = self.patch.points_and_box(self.u, self.v)
-        self._known.setdefault("raw_box", box)
-        return raw
 
     def _once(self, name: str, compute: Callable[[], _T]) -> _T:
         """Return what is computed at most once, whichever thread asks first."""

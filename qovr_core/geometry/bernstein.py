@@ -97,6 +97,20 @@ def halving(degree: int) -> tuple[Array, Array]:
     return read_only(left), read_only(left[::-1, ::-1].copy())
 
 
+def restriction(degree: int, start: float, end: float) -> Array:
+    """Return the matrix (degree + 1, degree + 1) that restricts Bernstein coefficients to [start, end] of [0, 1].
+
+    Its entries are never negative and each row sums to 1, so it enlarges no rounding.
+    """
+    matrix = np.zeros((degree + 1, degree + 1))
+    for k, row in enumerate(matrix):
+        row[0] = 1  # the blossom at degree - k times the start and k times the end
+        for x in (start,) * (degree - k) + (end,) * k:
+            row[1:] = (1 - x) * row[1:] + x * row[:-1]
+            row[0] *= 1 - x
+    return read_only(matrix)
+
+
 def roots(coefficients: Array) -> Array:
     """Return the roots in [0, 1] of one polynomial; a double root comes out once or twice.
 

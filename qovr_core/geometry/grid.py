@@ -1,8 +1,8 @@
 """Evaluation of a tensor-product polynomial, mostly on a grid of parameters: the one place where speed is won.
 
 A grid of n x m points is one product of an (n, degree + 1) basis with a (degree + 1, 3 m) table, which writes
-the points in their final order. Blocks of rows that fit a core's cache keep the product, and a box taken at
-the same time, off the main memory; large grids are worth one thread a core.
+the points in their final order. Blocks of rows that fit a core's cache keep the product off the main memory; large
+grids are worth one thread a core.
 """
 
 from __future__ import annotations
@@ -110,30 +110,25 @@ def evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> A
     return values
 
 
-def evaluate_with_box(coefficients: Array, basis_u: Array, basis_v: Array) -> tuple[Array, Array]:
-    """Return the points as ``evaluate`` does and their box, (d, 2) with columns min and max."""
-    n, m, d = len(basis_u), len(basis_v), coefficients.shape[2]
-    points = np.empty((n, m, d))
-    return points, _box(coefficients, basis_u, basis_v, points.reshape(n, m * d))
-
-
-def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
-    """Return the box of the points alone, (d, 2); no more than a block of points is ever held."""
-    return _box(coefficients, basis_u, basis_v, None)
-
-
 @np.errstate(under="ignore")  # what underflows is nothing
-def _box(coefficients: Array, basis_u: Array, basis_v: Array, points: Array | None) -> Array:
-    """Return the box of the points and, where they are wanted, write them into ``points``, (n, m d)."""
+def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
+    """Return the box of the points alone, (d, 2) with columns min and max; no more than a block of them is ever held.
+
+    Parameters
+    ----------
+    coefficients : (a, b, d)
+    basis_u : (n, a)
+    basis_v : (m, b)
+    """
     m, d = len(basis_v), coefficients.shape[2]
     table = _table(coefficients, basis_v)
 
     def work(blocks: list[slice]) -> tuple[Array, Array]:
         low, high = np.full(m * d, np.inf), np.full(m * d, -np.inf)
-        held = np.empty((len(basis_u[blocks[0]]), m * d)) if points is None else points
+        held = np.empty((len(basis_u[blocks[0]]), m * d))
         for rows in blocks:
             u = basis_u[rows]
-            block = held[: len(u)] if points is None else held[rows]
+            block = held[: len(u)]
             np.matmul(u, table, out=block)
             np.minimum(low, block.min(axis=0), out=low)
             np.maximum(high, block.max(axis=0), out=high)

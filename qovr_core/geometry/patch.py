@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.geometry import bernstein, differential, extent, grid
+from qovr_core.geometry import bernstein, differential, extent, grid, sampled_box
 from qovr_core.geometry.differential import Curvature
 from qovr_core.geometry.edges import Edge
 
@@ -78,16 +78,18 @@ class Patch:
         """
         return self.derivative(u, v, 0, 0)
 
-    def points_and_box(self, u: npt.ArrayLike, v: npt.ArrayLike) -> tuple[Array, Array]:
-        """Return the points as ``points`` does and their box, (3, 2) with columns min and max."""
-        basis_u, basis_v = bernstein.basis(PATCH_DEGREE, u), bernstein.basis(PATCH_DEGREE, v)
-        points, box = grid.evaluate_with_box(self.coefficients, basis_u, basis_v)
-        return read_only(points), read_only(box)
+    def sampled_box(self, n: int, m: int) -> Array:
+        """Return the box of n x m evenly spaced samples, few of which are computed; see ``sampled_box.sampled_box``.
 
-    def sampled_box(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
-        """Return the box of the points on a grid, (3, 2) with columns min and max, without keeping the points."""
-        basis_u, basis_v = bernstein.basis(PATCH_DEGREE, u), bernstein.basis(PATCH_DEGREE, v)
-        return read_only(grid.box(self.coefficients, basis_u, basis_v))
+        Parameters
+        ----------
+        n, m : samples along u and along v, each 2 or more
+
+        Returns
+        -------
+        (3, 2) float64, read-only, columns min and max
+        """
+        return read_only(sampled_box.sampled_box(self.coefficients, n, m))
 
     def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S on a grid.
