@@ -10,6 +10,7 @@ from splipy import Surface as SplipySurface
 
 from qovr_core import Document, Formulation, build_patch, configure
 from qovr_core.evaluation import parameters
+from qovr_core.geometry import bernstein, grid
 from support import algorithm1
 from support.documents import random_document
 
@@ -17,6 +18,9 @@ from .conftest import MEDIANS
 
 SIZES = (101, 501, 1001, 2001)
 LARGEST = 4096
+SCREEN = 201
+"""Points along each direction that the view draws at rest, however many samples there are."""
+
 LITERAL = 31
 KNOTS = [0.0] * 5 + [1.0] * 5
 
@@ -41,6 +45,28 @@ def test_copy(measure, size):
 def test_raw(measure, size):
     source = document(size)
     measure("raw", size, lambda: raw_points(source), rounds=30 if size <= 2001 else 8)
+
+
+@pytest.mark.parametrize("size", [*SIZES, LARGEST])
+def test_box(measure, size):
+    """The box that T needs, in the program's way."""
+    patch = build_patch(document(size))
+    measure("box", size, lambda: patch.sampled_box(size, size))
+
+
+@pytest.mark.parametrize("size", [*SIZES, LARGEST])
+def test_box_of_all(measure, size):
+    patch = build_patch(document(size))
+
+    def box():
+        basis = bernstein.basis(6, parameters(size))
+        return grid.box(patch.coefficients, basis, basis)
+
+    measure("box of all", size, box, rounds=5)
+
+
+def test_points_on_the_screen(measure):
+    measure("points", SCREEN, lambda: raw_points(document(SCREEN)))
 
 
 @pytest.mark.parametrize("size", SIZES)
@@ -86,6 +112,10 @@ def test_ratios(row):
         row("SciPy NdBSpline / raw", at, m["scipy", size] / m["raw", size], at_least=50 if size == 1001 else None)
     at = f"{LITERAL} x {LITERAL}"
     row("Algorithm 1 / raw", at, m["algorithm 1", LITERAL] / m["raw", LITERAL], at_least=2000)
+    for size in (*SIZES, LARGEST):
+        row("box of the samples / of all", f"{size} x {size}", m["box", size] / m["box of all", size], at_most=1)
+    for size in (1001, LARGEST):
+        row("box of the samples / points on the screen", f"{size} x {size}", m["box", size] / m["points", SCREEN])
     row("configure / copy", "1001 x 1001", m["configure", 1001] / m["copy", 1001], at_most=6)
     row("configure / Splipy", "101 x 101", m["configure", 101] / m["splipy", 101], at_most=3)
     per_point = [m["raw", size] / size**2 for size in (501, 1001, 2001, LARGEST)]
