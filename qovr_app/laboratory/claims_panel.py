@@ -8,9 +8,10 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QHBoxLayout, QProgressBar, QTextBrowser, QVBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
+from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, statement
 from qovr_app.laboratory.panel import WorkingPanel
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.requests import DocumentAsked
@@ -24,11 +25,15 @@ from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Document, QovrError
 from qovr_core.laboratory.claims import CLAIMS
+from qovr_core.laboratory.claims_report import standing
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import Finding, verify
 from qovr_core.number_texts import short_text
 
-_FIRST_WIDTHS = (450, 200)
+_WIDE = 900
+"""From this width on what is behind a verdict stands beside the table, else below it: statements are never cut."""
+
+_SHARES = (300, 90)
 
 Shown = Callable[[Finding], Document | None]
 """Which document of a finding a button opens."""
@@ -62,6 +67,7 @@ class ClaimsPanel(WorkingPanel):
         self._state = named(plain_label("", self), "laboratory.claims.state")
         self._progress = named(QProgressBar(self), "laboratory.claims.progress", "Verdicts found")
         self._progress.setRange(0, self._all)
+        self._splitter = LineSplitter("laboratory.claims.splitter", Qt.Orientation.Horizontal, self)
         self._arrange()
 
     @property
@@ -90,6 +96,14 @@ class ClaimsPanel(WorkingPanel):
         self._table.set_old()
         self._show_progress("The document has changed: verdicts in grey are of the one before.")
         self.work.restart()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        is_wide = self.width() >= _WIDE
+        shape = Qt.Orientation.Horizontal if is_wide else Qt.Orientation.Vertical
+        if shape is not self._splitter.orientation():
+            self._splitter.setOrientation(shape)
+            self._splitter.setSizes(_SHARES)
 
     # Looking for verdicts
 
@@ -155,22 +169,10 @@ class ClaimsPanel(WorkingPanel):
         return button
 
     def _arrange(self) -> None:
-        buttons = QHBoxLayout()
-        buttons.setContentsMargins(2 * SPACE, 0, 2 * SPACE, SPACE)
-        buttons.addWidget(self._counterexample)
-        buttons.addWidget(self._example)
-        buttons.addStretch(1)
-        behind = QWidget(self)
-        right = QVBoxLayout(behind)
-        right.setContentsMargins(0, 0, 0, 0)
-        right.setSpacing(SPACE)
-        right.addWidget(self._details, 1)
-        right.addLayout(buttons)
-        splitter = LineSplitter("laboratory.claims.splitter", Qt.Orientation.Horizontal, self)
+        splitter = self._splitter
         splitter.setChildrenCollapsible(False)
         splitter.addWidget(self._table)
-        splitter.addWidget(behind)
-        splitter.setSizes(_FIRST_WIDTHS)
+        splitter.addWidget(self._details)
         splitter.setStretchFactor(0, 3)
         splitter.setStretchFactor(1, 2)
         self._progress.setTextVisible(False)
@@ -184,7 +186,11 @@ class ClaimsPanel(WorkingPanel):
         layout.setSpacing(SPACE)
         layout.addWidget(splitter, 1)
         layout.addWidget(self._progress)
-        layout.addLayout(self.with_again(self._state, "laboratory.claims"))
+        below = self.with_again(self._state, "laboratory.claims")
+        below.setContentsMargins(0, 0, 2 * SPACE, 0)
+        below.addWidget(self._counterexample)
+        below.addWidget(self._example)
+        layout.addLayout(below)
 
 
 _SYMBOL = re.compile(r"\b([A-Za-z])_(ip|\d(?:,\d)?)\b")
@@ -194,19 +200,15 @@ def _details_html(finding: Finding) -> str:
     """Return everything known of a verdict as rich text."""
     claim, here = finding.claim, finding.here
     condition = f" {_rich(finding.condition)}" if finding.condition else ""
-    failing = "" if finding.counterexample is None else "another document, drawn or made for the trial"
-    if failing and not here.holds:
-        failing = "this document itself"
     measured, value = here.what[0].upper() + here.what[1:], short_text(here.value)
     paragraphs = [
-        f"<b>{_rich(claim.name)}</b>, {_rich(claim.where)}: {_rich(claim.text)}.",
+        f"{_rich(statement(claim))} <b>{_rich(claim.name)}</b>, {_rich(claim.where)}.",
         f"For {_rich(str(finding.formulation))}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
-        f"Here the claim <b>{'holds' if here.holds else 'fails'}</b>.",
+        standing(finding.verdict, here).sentence,
         f"{_rich(measured)}: <b>{value}</b> here, {short_text(finding.largest)} at most in all trials.",
         f"Found: {_rich(here.note)}." if here.note else "",
-        f"Counterexample: {failing}." if failing else "",
     ]
-    return "".join(f"<p>{text}</p>" for text in paragraphs if text)
+    return "".join(f'<p style="margin: 0 0 {SPACE}px 0">{text}</p>' for text in paragraphs if text)
 
 
 def _rich(text: str) -> str:

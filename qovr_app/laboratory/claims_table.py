@@ -1,36 +1,37 @@
-"""The table of claims: one row each, one column for every formulation, two lines a cell."""
+"""The table of claims: one row each, one column for every formulation, and in a cell the verdict and how it is here."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTableWidget,
-    QWidget,
-)
+from PySide6.QtCore import Qt, Signal
+from PySide6.QtGui import QFont, QKeyEvent, QResizeEvent
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
-from qovr_app.style.fonts import small_number_font
-from qovr_app.style.palette import theme_in_force
+from qovr_app.laboratory.claims_cells import BLOCKS, IS_OLD, BlockDelegate, Style
 from qovr_app.style.spacing import SPACE
-from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import QuietTable
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS, Claim
+from qovr_core.laboratory.claims_report import standing
 from qovr_core.laboratory.verify import Finding, Verdict
 from qovr_core.number_texts import short_text
 
 MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
 """Read without colour: a tick, a half, a cross."""
 
-_FIRST, _SECOND, _IS_OLD, _FINDING = (Qt.ItemDataRole.UserRole + k for k in range(4))
-_LINES = 2
-_COLUMN_WIDTH = 112
-_OLD_OPACITY = 0.4
+_FINDING = Qt.ItemDataRole.UserRole + 2
+
+_SHARE = 5
+"""A column of verdicts takes this part of the table's width, the statements the rest."""
+
+_LEAST_VERDICT, _WIDEST_VERDICT, _LEAST_STATEMENT = 96, 220, 150
+_STYLES = {Verdict.TRUE: Style.TRUE, Verdict.TRUE_IF: Style.TRUE_IF, Verdict.FALSE: Style.FALSE}
+_SORTED = {Verdict.FALSE: 0.0, Verdict.TRUE_IF: 1.0, Verdict.TRUE: 2.0}
+"""False claims first: they are what one looks for."""
+
+
+def statement(claim: Claim) -> str:
+    """Return what the paper says, as a sentence."""
+    return f"{claim.text[0].upper()}{claim.text[1:]}."
 
 
 class ClaimsTable(QuietTable):
@@ -50,11 +51,10 @@ class ClaimsTable(QuietTable):
         super().__init__(shape, "laboratory.claims.table", spoken, parent)
         self._claims, self._formulations = list(CLAIMS.values()), list(FORMULATIONS.values())
         self._of_document = self._formulations[0]
-        self.setItemDelegate(_TwoLines(self))
+        self.setItemDelegate(BlockDelegate(self))
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        self.setWordWrap(False)
         self._arrange_headers()
         for row, claim in enumerate(CLAIMS.values()):
             self._fill_row(row, claim)
@@ -75,14 +75,16 @@ class ClaimsTable(QuietTable):
     def show_finding(self, finding: Finding) -> None:
         """Show a finding in its cell."""
         item = self.item(self._claims.index(finding.claim), 1 + self._formulations.index(finding.formulation))
-        here = "holds" if finding.here.holds else "fails"
-        item.setData(_FIRST, f"{MARKS[finding.verdict]} {finding.verdict}")
-        item.setData(_SECOND, f"here {here} {short_text(finding.here.value)}")
-        item.setData(_IS_OLD, False)
+        verdict, here = _verdict_text(finding), _here_text(finding)
+        condition = [(finding.condition, Style.SMALL)] if finding.condition else []
+        word = f"{MARKS[finding.verdict]} {finding.verdict}", _STYLES[finding.verdict]
+        item.setData(BLOCKS, [word, *condition, (here, Style.QUIET)])
+        item.setData(IS_OLD, False)
         item.setData(_FINDING, finding)
-        spoken = f"{finding.claim.name}, {finding.formulation}: {finding.verdict}"
-        spoken += f" {finding.condition}" if finding.condition else ""
-        item.setData(Qt.ItemDataRole.AccessibleTextRole, f"{spoken}; on this document it {here}")
+        spoken = f"{finding.claim.name}, {finding.formulation}: {verdict}; {here}"
+        item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
+        self.fit_rows()
+        self.order.refresh()
         if finding is self.current_finding():
             self.finding_changed.emit(finding)
 
@@ -91,7 +93,7 @@ class ClaimsTable(QuietTable):
         for row in range(len(CLAIMS)):
             for column in range(1, self.columnCount()):
                 item = self.item(row, column)
-                item.setData(_IS_OLD, item.data(_FINDING) is not None)
+                item.setData(IS_OLD, item.data(_FINDING) is not None)
 
     def current_finding(self) -> Finding | None:
         """Return the finding of the current cell; a claim's own cell stands for the document's formulation."""
@@ -99,13 +101,33 @@ class ClaimsTable(QuietTable):
         finding = self.item(self.currentRow(), column).data(_FINDING)
         return finding if isinstance(finding, Finding) else None
 
-    def rows_to_copy(self) -> Rows:
-        """Return all claims and what was found, under the names of the formulations."""
-        cells = [[self.item(row, column) for column in range(self.columnCount())] for row in range(self.rowCount())]
-        return [
-            ["claim", *map(str, self._formulations)],
-            *(["; ".join(filter(None, map(item.data, (_FIRST, _SECOND)))) for item in row] for row in cells),
-        ]
+    def copied_cell(self, row: int, column: int) -> str:
+        if not column:
+            claim = self._claims[row]
+            return f"{statement(claim)} ({claim.name}: {claim.where})"
+        finding = self.item(row, column).data(_FINDING)
+        if not isinstance(finding, Finding):
+            return ""
+        return f"{_verdict_text(finding)}; {_here_text(finding)}"
+
+    def sort_key(self, row: int, column: int) -> float | str | None:
+        if not column:
+            return self._claims[row].text
+        finding = self.item(row, column).data(_FINDING)
+        return _SORTED[finding.verdict] if isinstance(finding, Finding) else None
+
+    def fit_rows(self) -> None:
+        """Give every row the height that its texts need."""
+        self.resizeRowsToContents()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        room, verdicts = self.viewport().width(), range(1, self.columnCount())
+        width = min(max(room // _SHARE, _LEAST_VERDICT), _WIDEST_VERDICT)
+        for column in verdicts:
+            self.setColumnWidth(column, width)
+        self.setColumnWidth(0, max(room - width * len(verdicts), _LEAST_STATEMENT))
+        self.fit_rows()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
@@ -122,65 +144,21 @@ class ClaimsTable(QuietTable):
         self.setHorizontalHeaderLabels(["claim", *map(str, self._formulations)])
         across, down = self.horizontalHeader(), self.verticalHeader()
         across.setHighlightSections(False)
-        across.setSectionsClickable(False)
         across.setDefaultAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
-        across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
-        for column in range(1, self.columnCount()):
-            across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
-            across.resizeSection(column, _COLUMN_WIDTH)
+        across.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setVisible(False)
-        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        down.setDefaultSectionSize(self.itemDelegate().sizeHint(QStyleOptionViewItem(), QModelIndex()).height())
+        self.order.let_sort()
 
     def _fill_row(self, row: int, claim: Claim) -> None:
         name = self.item(row, 0)
-        name.setData(_FIRST, claim.name)
-        name.setData(_SECOND, claim.text)
+        name.setData(BLOCKS, [(statement(claim), Style.PLAIN), (f"{claim.name}: {claim.where}", Style.QUIET)])
         name.setData(Qt.ItemDataRole.AccessibleTextRole, f"{claim.name}: {claim.text}, {claim.where}")
         name.setToolTip(f"{claim.text}\n{claim.where}")
 
 
-class _TwoLines(QStyledItemDelegate):
-    """Paints a verdict over the number below it, and a claim over its text."""
-
-    def __init__(self, table: QTableWidget) -> None:
-        super().__init__(table)
-        self._height = _LINES * table.fontMetrics().height() + 2 * SPACE
-        self._strong = QFont(table.font())
-        self._strong.setBold(True)
-        self._small = small_number_font(table.font())
-
-    def sizeHint(self, _option: QStyleOptionViewItem, _index: QModelIndex | QPersistentModelIndex) -> QSize:
-        return QSize(_COLUMN_WIDTH, self._height)
-
-    def paint(
-        self, painter: QPainter, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex
-    ) -> None:
-        painter.save()
-        if option.state & QStyle.StateFlag.State_Selected:
-            painter.fillRect(option.rect, QColor(*theme_in_force().accent_cell))
-            if option.widget.hasFocus():
-                painter.setPen(QColor(*theme_in_force().accent))
-                painter.drawRect(option.rect.adjusted(0, 0, -1, -1))
-        area = option.rect.adjusted(2 * SPACE, SPACE, -SPACE, -SPACE)
-        half = area.height() // _LINES
-        if index.data(_IS_OLD):
-            painter.setOpacity(_OLD_OPACITY)
-        finding = index.data(_FINDING)
-        ink = QColor(*theme_in_force().ink) if finding is None else _ink(finding.verdict)
-        self._write(painter, QRect(area.topLeft(), QSize(area.width(), half)), self._strong, ink, index.data(_FIRST))
-        below = QRect(area.left(), area.top() + half, area.width(), area.height() - half)
-        self._write(painter, below, self._small, QColor(*theme_in_force().idle_ink), index.data(_SECOND))
-        painter.restore()
-
-    @staticmethod
-    def _write(painter: QPainter, area: QRect, font: QFont, ink: QColor, text: str | None) -> None:
-        painter.setFont(font)
-        painter.setPen(ink)
-        elided = painter.fontMetrics().elidedText(text or "", Qt.TextElideMode.ElideRight, area.width())
-        painter.drawText(area, Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter, elided)
+def _verdict_text(finding: Finding) -> str:
+    return f"{finding.verdict} {finding.condition}".strip()
 
 
-def _ink(verdict: Verdict) -> QColor:
-    theme = theme_in_force()
-    return QColor(*{Verdict.TRUE: theme.ink, Verdict.TRUE_IF: theme.warn, Verdict.FALSE: theme.bad}[verdict])
+def _here_text(finding: Finding) -> str:
+    return f"here: {standing(finding.verdict, finding.here).words}, {short_text(finding.here.value)}"

@@ -88,7 +88,9 @@ class ComparisonPanel(WorkingPanel):
         self._measures[name] = measures
         self._table.show_measures(name, measures, compared.document.net_size)
         if self.is_current:
-            self._state.setText(f"{_motion_html(compared)} Lengths are in the net's units.")
+            self._state.setText(
+                f"{_motion_html(compared)} Lengths are in the net's units. <b>Bold</b>: best; <i>italic</i>: worst."
+            )
             self._bar.set_copyable(True)
 
     def _on_failed(self, error: QovrError) -> None:

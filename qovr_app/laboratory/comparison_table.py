@@ -1,4 +1,4 @@
-"""The table of the comparison: one row a measure, one column a surface; quiet, for it judges nothing."""
+"""The table of the comparison: one row a measure, one column a surface; the best is bold, the worst in italics."""
 
 from __future__ import annotations
 
@@ -12,7 +12,6 @@ from qovr_app.state.html_tables import Shown
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.spacing import SPACE
-from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.laboratory.comparison import Measures, compared_names
 from qovr_core.laboratory.comparison_report import ROWS, surface_descriptions, surface_titles
@@ -62,6 +61,7 @@ class ComparisonTable(QuietTable):
             item.setToolTip(f"{value!r}\n{measure.explanation}" if has_number else measure.explanation)
             spoken = f"{measure.label}, {self._titles[name]}: {text}"
             item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
+        self.order.refresh()
         self.refresh_colours()
 
     def set_old(self) -> None:
@@ -84,14 +84,29 @@ class ComparisonTable(QuietTable):
             self.item(row, 0).setForeground(ink)
             for column, name in enumerate(self._names, start=1):
                 self.item(row, column).setForeground(ink if name in self._new else idle_ink)
+            self._mark_row(row)
 
-    def rows_to_copy(self) -> Rows:
-        """Return what is selected as it is shown, with the numbers behind it."""
-        rows: dict[int, list[str | Shown]] = {}
-        for index in sorted(self.selectedIndexes()):
-            text, value = index.data() or "", index.data(_VALUE)
-            rows.setdefault(index.row(), []).append(text if value is None else Shown(text, value))
-        return list(rows.values())
+    def copied_cell(self, row: int, column: int) -> str | Shown:
+        text, value = self.item(row, column).text(), self.item(row, column).data(_VALUE)
+        return text if value is None else Shown(text, value)
+
+    def sort_key(self, row: int, column: int) -> float | str | None:
+        value: float | None = self.item(row, column).data(_VALUE)
+        return value if column else self.item(row, 0).text()
+
+    def _mark_row(self, row: int) -> None:
+        """Set apart the best and the worst of a measure, once all are there and where one is better than another."""
+        items = [self.item(row, column) for column in range(1, self.columnCount())]
+        found = {item.text(): value for item in items if (value := item.data(_VALUE)) is not None}
+        is_judged = ROWS[row].is_better_small and self._new == set(self._names) and len(found) > 1
+        best, worst = (min(found, key=found.__getitem__), max(found, key=found.__getitem__)) if is_judged else ("", "")
+        for item in items:
+            font = QFont(self.font())
+            font.setBold(item.text() == best)
+            font.setItalic(item.text() == worst)
+            item.setFont(font)
+            if font.italic():
+                item.setForeground(QColor(*theme_in_force().bad))
 
     def sizeHint(self) -> QSize:
         down = self.verticalHeader().defaultSectionSize()
@@ -117,7 +132,7 @@ class ComparisonTable(QuietTable):
         self.horizontalHeaderItem(0).setTextAlignment(Qt.AlignmentFlag.AlignLeft | Qt.AlignmentFlag.AlignVCenter)
         across, down = self.horizontalHeader(), self.verticalHeader()
         across.setHighlightSections(False)
-        across.setSectionsClickable(False)
+        self.order.let_sort()
         across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         across.setMinimumSectionSize(8)
         width = self.fontMetrics().horizontalAdvance(_WIDEST_TEXT) + 4 * SPACE

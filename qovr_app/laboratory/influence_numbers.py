@@ -137,8 +137,3 @@ class FactTable(QuietTable):
         """Write the names, which head their lines, in the quiet ink of the theme in force."""
         for row in range(self.rowCount()):
             self.item(row, 0).setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))
-
-    def rows_to_copy(self) -> Rows:
-        """Return the lines that are selected, or all, as they are shown."""
-        rows = sorted({index.row() for index in self.selectedIndexes()}) or range(self.rowCount())
-        return [[self.item(row, column).text() for column in range(2)] for row in rows]

@@ -8,6 +8,7 @@ from PySide6.QtCore import QMimeData
 from PySide6.QtGui import QGuiApplication
 
 from qovr_app.state.html_tables import Shown, html_cells, html_table
+from qovr_app.state.latex_tables import latex_table
 from qovr_app.state.typed import Cell, Cells, text_cells
 from qovr_core.number_texts import block_text
 
@@ -21,6 +22,11 @@ def copy_table(rows: Rows) -> None:
     data.setText(block_text([[cell.text if isinstance(cell, Shown) else cell for cell in row] for row in rows]))
     data.setHtml(html_table(rows))
     QGuiApplication.clipboard().setMimeData(data)
+
+
+def copy_latex(rows: Rows) -> None:
+    """Copy rows, the first of which are headings, as a table for LaTeX."""
+    QGuiApplication.clipboard().setText(latex_table(rows))
 
 
 def pasted_cells() -> Cells:

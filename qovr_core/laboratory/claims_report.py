@@ -6,13 +6,41 @@ import textwrap
 from collections.abc import Iterable, Iterator
 from itertools import groupby
 from math import isfinite
+from typing import NamedTuple
 
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.laboratory.claims import Claim
+from qovr_core.laboratory.measurement import Measurement
 from qovr_core.laboratory.verify import Finding, Verdict
 
 _WIDTH = 110
 _INDENT = " " * 17
+
+
+class Standing(NamedTuple):
+    """How one document stands to a verdict: in a word or two, and in a sentence."""
+
+    words: str
+    sentence: str
+
+
+_STANDINGS = {
+    (Verdict.TRUE, True): Standing("as claimed", "On this document it is so."),
+    (Verdict.TRUE_IF, True): Standing("as claimed", "On this document it is so."),
+    (Verdict.TRUE_IF, False): Standing(
+        "not as claimed", "On this document it is not so: it does not meet the condition."
+    ),
+    (Verdict.FALSE, True): Standing("not refuted", "This document does not refute it, but another one does."),
+    (Verdict.FALSE, False): Standing("refuted", "This document refutes it."),
+}
+
+
+def standing(verdict: Verdict, here: Measurement) -> Standing:
+    """Return how the document that was measured stands to a verdict; nothing else says so anywhere.
+
+    What holds on every trial is true, so that no document is left that refutes what is.
+    """
+    return _STANDINGS[verdict, here.holds]
 
 
 def by_claim(findings: Iterable[Finding]) -> Iterator[tuple[Claim, list[Finding]]]:
@@ -23,13 +51,13 @@ def by_claim(findings: Iterable[Finding]) -> Iterator[tuple[Claim, list[Finding]
 
 def findings_text(findings: Iterable[Finding]) -> str:
     """Return the findings as one block a claim."""
-    lines = [f"{'':15}  {'verdict':<9}{'here':<7}{'measured':>10}{'largest':>10}   (largest: over all trials)"]
+    lines = [f"{'':15}  {'verdict':<9}{'here':<15}{'measured':>10}{'largest':>10}   (largest: over all trials)"]
     for claim, of_claim in by_claim(findings):
         lines += ["", f"{claim.name}: {claim.text}, {claim.where}", f"  {of_claim[0].here.what}"]
         for finding in of_claim:
-            here = "holds" if finding.here.holds else "fails"
+            here = standing(finding.verdict, finding.here).words
             numbers = "".join(f"{value:>10.3g}" if isfinite(value) else f"{'-':>10}" for value in _values(finding))
-            lines += [f"  {finding.formulation:<15}{finding.verdict:<9}{here:<7}{numbers}", *_details(finding)]
+            lines += [f"  {finding.formulation:<15}{finding.verdict:<9}{here:<15}{numbers}", *_details(finding)]
     return "\n".join(lines)
 
 

@@ -47,12 +47,16 @@ class Unit(Enum):
 
 @dataclass(frozen=True)
 class Row:
-    """One measure: what it is called, what it means, its unit, and its value, None where there are no joints."""
+    """One measure: what it is called, what it means, its unit, and its value, None where there are no joints.
+
+    The less of it the better where ``is_better_small``; of the others it cannot be said.
+    """
 
     label: str
     explanation: str
     unit: Unit
     value: Callable[[Measures], float | None]
+    is_better_small: bool = True
 
     def text(self, measures: Measures, net_size: float) -> str:
         """Return the value as it is shown; what is rounding for a net of that size is 0."""
@@ -88,6 +92,7 @@ ROWS = (
         "How far the surface moves where it moves most.",
         Unit.LENGTH,
         lambda measures: measures.largest_motion,
+        is_better_small=False,
     ),
     *(_share_row(index, share) for index, share in enumerate(SHARES)),
     *(_edge_row(edge) for edge in Edge),
@@ -126,12 +131,14 @@ ROWS = (
         "The largest distance of a point of this surface from the QOVR surface.",
         Unit.LENGTH,
         lambda measures: measures.distance_from_qovr,
+        is_better_small=False,
     ),
     Row(
         "QOVR farthest from it",
         "The largest distance of a point of the QOVR surface from this one.",
         Unit.LENGTH,
         lambda measures: measures.distance_of_qovr,
+        is_better_small=False,
     ),
 )
 """The measures, in the order in which they are shown."""

@@ -1,10 +1,14 @@
 """The panel of claims: current for the document, in nobody's way, and a door to the counterexamples."""
 
-import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QTextBrowser
+import re
 
+import pytest
+from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QContextMenuEvent
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QMenu, QTextBrowser
+
+from qovr_app.laboratory.claims_cells import BLOCKS, IS_OLD
 from qovr_app.laboratory.claims_panel import ClaimsPanel
 from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
 from qovr_app.state.intents import PointsMoved
@@ -13,6 +17,15 @@ from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.verify import verify
+
+HERE = {
+    ("true", True): "as claimed",
+    ("true if", True): "as claimed",
+    ("true if", False): "not as claimed",
+    ("false", True): "not refuted",
+    ("false", False): "refuted",
+}
+"""How a document stands to a verdict; no other pair can be, so that no line contradicts the one above it."""
 
 
 @pytest.fixture
@@ -86,19 +99,93 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
     for finding in verify(lab.document):
         spoken = cells[finding.claim.name, finding.formulation]
         assert f": {finding.verdict}" in spoken
-        assert spoken.endswith("it holds" if finding.here.holds else "it fails")
+        assert f"here: {HERE[finding.verdict, finding.here.holds]}, " in spoken
         item = table(lab).item(
             list(CLAIMS).index(finding.claim.name), 1 + list(FORMULATIONS.values()).index(finding.formulation)
         )
-        lines = [item.data(Qt.ItemDataRole.UserRole + k) for k in range(2)]
-        assert lines[0] == f"{MARKS[finding.verdict]} {finding.verdict}"
-        assert lines[1].startswith("here holds" if finding.here.holds else "here fails")
+        first, *_, last = (text for text, _style in item.data(BLOCKS))
+        assert first == f"{MARKS[finding.verdict]} {finding.verdict}"
+        assert last.startswith(f"here: {HERE[finding.verdict, finding.here.holds]}, ")
     assert state(lab) == "Every claim is decided"
     QTest.keyClick(table(lab), Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     head, *lines = (line.split("\t") for line in QApplication.clipboard().text().splitlines())
     assert head == ["claim", *map(str, FORMULATIONS)]
     assert len(lines) == len(CLAIMS)
-    assert all(verdict.split()[1].rstrip(";") in {"true", "false"} for line in lines for verdict in line[1:])
+    assert all(verdict.split()[0].rstrip(";") in {"true", "false"} for line in lines for verdict in line[1:])
+    assert all(not line[0][0].islower() and ". (" in line[0] for line in lines)
+
+
+def test_what_is_written_is_seen_whole_in_a_small_window(make_editor, spin):
+    editor = make_editor(size=(1280, 720))
+    editor.trigger("laboratory_claims")
+    spin(lambda: panel(editor).is_current)
+    claims = table(editor)
+    assert claims.horizontalScrollBar().maximum() == 0
+    for row in range(claims.rowCount()):
+        for column in range(claims.columnCount()):
+            cell = claims.visualItemRect(claims.item(row, column))
+            height = 0
+            for text, _style in claims.item(row, column).data(BLOCKS):
+                metrics = claims.fontMetrics()  # that of the largest of the fonts, but for the bold words
+                longest = max(map(metrics.horizontalAdvance, text.split()))
+                assert longest < cell.width(), text
+                height += metrics.height() * 0.8
+            assert height <= cell.height()
+
+
+def test_rows_sort_by_a_click_on_a_heading_and_come_back(lab, spin):
+    spin(lambda: panel(lab).is_current)
+    claims, column = table(lab), 1 + list(FORMULATIONS.values()).index(Formulation.INTERPOLATING)
+    worth = {"false": 0, "true if": 1, "true": 2}
+
+    def click():
+        header = claims.horizontalHeader()
+        x = header.sectionViewportPosition(column) + 30
+        QTest.mouseClick(header.viewport(), Qt.MouseButton.LeftButton, pos=QPoint(x, header.height() // 2))
+        lab.settle()
+        rows = sorted(range(claims.rowCount()), key=lambda row: claims.visualItemRect(claims.item(row, 0)).top())
+        return rows, [worth[str(claims.item(row, column).data(Qt.ItemDataRole.UserRole + 2).verdict)] for row in rows]
+
+    rows, found = click()
+    assert found == sorted(found)
+    assert len(set(found)) > 1
+    copied = [line.split("\t")[0] for line in copy(claims).splitlines()[1:]]
+    assert copied[0].startswith(table(lab).item(rows[0], 0).data(BLOCKS)[0][0])
+    _, found = click()
+    assert found == sorted(found, reverse=True)
+    rows, _ = click()
+    assert rows == list(range(len(CLAIMS)))
+
+
+def test_a_table_goes_to_latex(lab, spin):
+    spin(lambda: panel(lab).is_current)
+    QTest.keyClick(table(lab), Qt.Key.Key_L, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
+    text = QApplication.clipboard().text()
+    center = table(lab).viewport().rect().center()
+    QApplication.sendEvent(
+        table(lab).viewport(), QContextMenuEvent(QContextMenuEvent.Reason.Mouse, center, table(lab).mapToGlobal(center))
+    )
+    (menu,) = table(lab).findChildren(QMenu)
+    QApplication.clipboard().clear()
+    next(action for action in menu.actions() if "LaTeX" in action.text()).trigger()
+    menu.close()
+    assert QApplication.clipboard().text() == text
+    begin, head, rule, *lines, end, _ = text.split("\n")
+    assert (begin, rule, end) == (r"\begin{tabular}{llll}", r"\hline", r"\end{tabular}")
+    assert head == "claim & " + " & ".join(map(str, FORMULATIONS)) + r" \\"
+    assert len(lines) == len(CLAIMS)
+    for line in lines:
+        assert line.endswith(r" \\")
+        cells = re.split(r"(?<!\\)&", line.removesuffix(r"\\"))
+        assert len(cells) == 4
+        bare = re.sub(r"\\[a-z]+\{\}|\\[&%$#_{}]|\$[^$]*\$", "", line.removesuffix(r"\\"))
+        assert not set(bare) & set("&%$#_{}\\^~") - {"&"}
+    assert any(r"$2 \times 10^{-16}$" in line for line in lines)
+
+
+def copy(claims):
+    QTest.keyClick(claims, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    return QApplication.clipboard().text()
 
 
 def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, spin, found):
@@ -119,17 +206,17 @@ def test_an_edit_during_the_search_stops_it_and_is_shown_as_soon_as_ever(lab, sp
     spin(lambda: panel(lab).is_current)
     findings = {(finding.claim.name, finding.formulation): finding for finding in verify(lab.document)}
     for key, spoken in shown(lab).items():
-        assert spoken.endswith("it holds" if findings[key].here.holds else "it fails")
+        assert f"here: {HERE[findings[key].verdict, findings[key].here.holds]}, " in spoken
 
 
 def test_old_verdicts_look_old_until_new_ones_come(lab, spin):
     spin(lambda: panel(lab).is_current)
     edit(lab, 0.75)
     lab.settle()
-    is_old = [table(lab).item(row, 1).data(Qt.ItemDataRole.UserRole + 2) for row in range(len(CLAIMS))]
+    is_old = [table(lab).item(row, 1).data(IS_OLD) for row in range(len(CLAIMS))]
     assert all(is_old)
     spin(lambda: panel(lab).is_current)
-    assert not any(table(lab).item(row, 1).data(Qt.ItemDataRole.UserRole + 2) for row in range(len(CLAIMS)))
+    assert not any(table(lab).item(row, 1).data(IS_OLD) for row in range(len(CLAIMS)))
 
 
 def test_another_formulation_or_sample_count_changes_no_verdict(lab, spin, found):
@@ -157,18 +244,20 @@ def test_a_hidden_panel_does_nothing_and_goes_on_when_it_is_shown(lab, spin, fou
 def test_a_counterexample_opens_as_a_document_of_its_own(lab, spin):
     spin(lambda: panel(lab).is_current)
     select(lab, "unity", Formulation.PUBLISHED)
-    assert "Counterexample" not in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    assert "refute" not in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
     assert lab.find("laboratory.claims.counterexample", QAbstractButton).isHidden()
     select(lab, "inverse", Formulation.PUBLISHED)
     finding = table(lab).current_finding()
     assert finding.here.holds
-    assert "another document" in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    assert (
+        "does not refute it, but another one does" in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    )
     lab.click("laboratory.claims.counterexample")
     assert lab.document == finding.counterexample
     assert lab.window.windowTitle().startswith("Counterexample to inverse, published")
     spin(lambda: panel(lab).is_current)
     assert not table(lab).current_finding().here.holds
-    assert "this document itself" in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    assert "This document refutes it" in lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
 
 
 def test_everything_can_be_done_by_keyboard(lab, spin):
@@ -190,5 +279,5 @@ def test_a_claim_s_own_cell_stands_for_the_document_s_formulation(lab, spin):
     table(lab).setCurrentCell(6, 0)
     assert table(lab).current_finding().formulation is Formulation.PUBLISHED
     text = lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
-    assert text.startswith("C0, Lemma 1, (45)")
+    assert text.startswith("Neighbouring patches meet without a gap. C0, Lemma 1, (45).")
     assert "For published: ✗ false" in text
