@@ -61,9 +61,9 @@ class QuietTable(QTableWidget):
         return self.item(row, column).text()
 
     def rows_to_copy(self) -> Rows:
-        """Return what Copy copies: the cells that are selected, or the whole table where that is one cell or none."""
+        """Return what Copy copies: the cells that are selected, or the whole table where none can be."""
         selected = {(index.row(), index.column()) for index in self.selectedIndexes()}
-        if len(selected) < 2:
+        if not selected or self.selectionMode() is QAbstractItemView.SelectionMode.SingleSelection:
             return self.whole_table()
         cells = {row: sorted(column for r, column in selected if r == row) for row in self.shown_rows()}
         return [[self.copied_cell(row, column) for column in columns] for row, columns in cells.items() if columns]
