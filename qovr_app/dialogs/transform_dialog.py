@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QDialog, QDialogButtonBox, QGridLayout, QLabel, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.state.names import AXES
+from qovr_app.style.palette import theme_in_force
+from qovr_app.style.symbols import coloured, sentence_html
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import named
-from qovr_app.widgets.plain import plain_label
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import QovrError
 from qovr_core.checks import checked_number
@@ -25,7 +27,13 @@ class TransformDialog(QDialog):
     ----------
     points : what is transformed, as "4 points"
     scale : the size of the net, by which the keys' steps are chosen
+
+    Signals
+    -------
+    changed : the fields say another edit
     """
+
+    changed = Signal(object)
 
     def __init__(self, points: str, scale: float, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -44,12 +52,16 @@ class TransformDialog(QDialog):
         self._about = named(QComboBox(self), "transform.about", "What stays where it is")
         guard_from_wheels(self._axis, self._about)
         self._about.addItems(list(_ABOUT.values()))
+        for box in (self._axis, self._about):
+            box.currentIndexChanged.connect(self._check)
         for row, label, widgets in ((3, "Rotate by °", (self._degrees, self._axis)), (4, "Scale, rotate about", ())):
             grid.addWidget(QLabel(label, self), row, 0)
             for k, widget in enumerate(widgets, start=1):
                 grid.addWidget(widget, row, k)
         grid.addWidget(self._about, 4, 1, 1, 3)
-        self._note = named(plain_label("", self), "transform.note")
+        self._note = named(QLabel(self), "transform.note")
+        self._note.setTextFormat(Qt.TextFormat.RichText)
+        self._note.setWordWrap(True)
         grid.addWidget(self._note, 5, 0, 1, 4)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
         buttons.accepted.connect(self.accept)
@@ -90,12 +102,16 @@ class TransformDialog(QDialog):
         field.textChanged.connect(self._check)
         return field
 
+    def say(self, text: str, *, is_refusal: bool = False) -> None:
+        """Say where the points come to stand, or why they cannot."""
+        self._note.setText(coloured(sentence_html(text), theme_in_force().bad) if is_refusal else sentence_html(text))
+        self._ok.setEnabled(not is_refusal)
+
     def _check(self) -> None:
-        """Say what is wrong with the fields, and let nothing wrong be accepted."""
-        reason = ""
+        """Report what the fields say; let nothing wrong be accepted."""
         try:
-            _ = self.edit
+            edit = self.edit
         except QovrError as error:
-            reason = str(error)
-        self._note.setText(reason)
-        self._ok.setEnabled(not reason)
+            self.say(f"{error}.", is_refusal=True)
+        else:
+            self.changed.emit(edit)

@@ -27,10 +27,14 @@ class PointsNudged(Intent):
 
 @dataclass(frozen=True)
 class PointsEdited(Intent):
-    """An edit brings control points to other places; ``indices`` begin with the one that was picked last."""
+    """An edit brings control points to other places; ``indices`` begin with the one that was picked last.
+
+    With a ``gesture``, 0 for none, from where they stood when it began.
+    """
 
     edit: NetEdit
     indices: tuple[NetIndex, ...]
+    gesture: int = 0
 
 
 @dataclass(frozen=True)

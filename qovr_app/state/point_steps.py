@@ -40,13 +40,13 @@ def points_nudged(state: EditorState, intent: point_intents.PointsNudged) -> Edi
 
 def points_edited(state: EditorState, intent: point_intents.PointsEdited) -> EditorState:
     """Bring points to where an edit has them; of the document even where edits wait, as by hand."""
-    document, edit = state.document, intent.edit
+    document, edit = state.document_before(intent.gesture), intent.edit
     edits.check_points(document, intent.indices)
     indices = np.array(intent.indices, dtype=np.intp).reshape(-1, 2)
     displacements = edit.of(document.control_points, indices) - document.control_points[tuple(indices.T)]
     is_soft = state.tools.soft and edit.is_soft
     net = _moved(document, intent.indices, displacements, state.tools, is_soft=is_soft)
-    return _with_net(state, f"{edit.verb} {points_text(intent.indices)}", net, intent)
+    return _with_net(state, f"{edit.verb} {points_text(intent.indices)}", net, intent, intent.gesture)
 
 
 def made_symmetric(state: EditorState, intent: point_intents.MadeSymmetric) -> EditorState:

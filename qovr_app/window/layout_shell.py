@@ -7,15 +7,13 @@ import math
 from PySide6.QtWidgets import QDialog, QWidget
 
 from qovr_app.dialogs.range_dialog import RangeDialog
-from qovr_app.dialogs.transform_dialog import TransformDialog
 from qovr_app.state import requests
 from qovr_app.state.looking_intents import RangeFixed
-from qovr_app.state.names import points_text
-from qovr_app.state.point_intents import PointsEdited
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
 from qovr_app.window.shell import Answers
+from qovr_app.window.transforming import ask_transform
 
 
 class LayoutShell:
@@ -31,7 +29,7 @@ class LayoutShell:
             requests.ViewRestartAsked: layout.view_frame.restart,
             requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
-            requests.TransformAsked: self._ask_transform,
+            requests.TransformAsked: lambda _asked: ask_transform(store, window),
             requests.ZoneButtonPressed: self._press_zone_button,
             requests.FocusAsked: lambda asked: layout.focus_part(asked.part),
             requests.CloseAsked: lambda _asked: window.close(),
@@ -46,15 +44,6 @@ class LayoutShell:
         if dialog.exec() == QDialog.DialogCode.Accepted:
             self._store.dispatch(RangeFixed(*dialog.limits))
         dialog.deleteLater()
-
-    def _ask_transform(self, _request: requests.TransformAsked) -> None:
-        """Ask by how much the points that are selected now are to be moved; the window waits."""
-        state = self._store.state
-        indices = state.selection.indices
-        dialog = TransformDialog(points_text(indices), state.document.net_size, self._window)
-        dialog.accepted.connect(lambda: self._store.dispatch(PointsEdited(dialog.edit, indices)))
-        dialog.finished.connect(dialog.deleteLater)
-        dialog.open()
 
     def _press_zone_button(self, request: requests.ZoneButtonPressed) -> None:
         zone = self._layout.current_zone()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialog
+from PySide6.QtWidgets import QApplication, QComboBox, QDialog, QLineEdit
 
 from qovr_app.state.looking_intents import Selected
 
@@ -29,6 +29,7 @@ def test_the_bump_is_raised_by_exactly_a_tenth_in_few_keys(editor):
     difference = points(editor) - before
     assert difference[2, 2].tolist() == [0, 0, before[2, 2, 2] + 0.1 - before[2, 2, 2]]
     assert np.count_nonzero(difference) == 1
+    assert editor.window.store.state.history.index == 1
     editor.trigger("undo")
     np.testing.assert_array_equal(points(editor), before)
 
@@ -45,6 +46,46 @@ def test_numbers_that_are_none_are_not_accepted_and_escape_changes_nothing(edito
     assert "abc" in editor.find("transform.note").text()
     editor.key(Qt.Key.Key_Escape)
     np.testing.assert_array_equal(points(editor), before)
+
+
+def test_a_transform_is_seen_at_once_and_put_back_exactly(editor):
+    editor.dispatch(Selected((2, 2), ((1, 1),)))
+    editor.trigger("nudge_up")
+    editor.trigger("undo")
+    before, redo = editor.document, editor.action("redo").text()
+    editor.trigger("transform_points")
+    dialog = editor.dialog("transform")
+    note = editor.find("transform.note")
+    assert "Mean of 2 points: x 1.5, y 1.5" in note.text()
+    type_at_focus(editor, "1/4")
+    assert editor.document.control_points[2, 2, 2] == before.control_points[2, 2, 2] + 0.25
+    assert editor.window.view.shown.evaluation.document == editor.document
+    assert "(+0.25)" in note.text()
+    scale = dialog.findChild(QLineEdit, "transform.scale.x")
+    scale.setFocus()
+    scale.selectAll()
+    type_at_focus(editor, "3")
+    assert editor.document.control_points[1, 1, 0] == 0
+    dialog.findChild(QComboBox, "transform.about").setCurrentIndex(1)
+    assert editor.document.control_points[1, 1, 0] == -1
+    assert editor.document.control_points[2, 2, 0] == 2
+    dialog.reject()
+    editor.settle()
+    assert editor.document is before
+    assert editor.action("redo").text() == redo
+    assert editor.window.store.state.gesture is None
+
+
+def test_a_transform_that_no_document_can_hold_is_said_in_the_dialog(editor):
+    editor.dispatch(Selected((2, 2)))
+    editor.trigger("transform_points")
+    editor.dialog("transform")
+    type_at_focus(editor, "1e12*1")
+    type_at_focus(editor, "0")
+    assert "expected a finite number" in editor.find("transform.note").text()
+    editor.key(Qt.Key.Key_Return)
+    assert editor.dialog("transform").isVisible()
+    editor.dialog("transform").reject()
 
 
 @pytest.mark.parametrize(

@@ -60,6 +60,7 @@ EXAMPLES = {
             st.just(Smooth()),
         ),
         st.lists(INDICES).map(tuple),
+        GESTURES,
     ),
     point_intents.MadeSymmetric: st.builds(
         point_intents.MadeSymmetric, st.sampled_from(Direction), st.sampled_from(Source)

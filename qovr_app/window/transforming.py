@@ -1,0 +1,38 @@
+"""The dialog that moves, scales and rotates the selected points, and what is seen of it meanwhile."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QPoint
+from PySide6.QtWidgets import QWidget
+
+from qovr_app.dialogs.transform_dialog import TransformDialog
+from qovr_app.state.gestures import next_gesture
+from qovr_app.state.intents import GestureBegun, GestureCancelled, GestureEnded
+from qovr_app.state.names import points_text
+from qovr_app.state.point_intents import PointsEdited
+from qovr_app.state.readouts import moved_text
+from qovr_app.store import Store
+from qovr_core.net_edits import Transform
+
+_FROM_EDGE = 24
+
+
+def ask_transform(store: Store, window: QWidget) -> None:
+    """Ask by how much the points that are selected now are to be moved; the view shows it at once, Cancel puts back."""
+    begun, gesture = store.state.document, next_gesture()
+    indices = store.state.selection.indices
+    dialog = TransformDialog(points_text(indices), begun.net_size, window)
+
+    def preview(edit: Transform) -> None:
+        error = store.dispatch(PointsEdited(edit, indices, gesture))
+        dialog.say(f"{error}." if error else moved_text(indices, begun, store.state.document), is_refusal=bool(error))
+
+    store.dispatch(GestureBegun(gesture))
+    preview(Transform())
+    dialog.changed.connect(preview)
+    dialog.accepted.connect(lambda: store.dispatch(GestureEnded(gesture)))
+    dialog.rejected.connect(lambda: store.dispatch(GestureCancelled(gesture)))
+    dialog.finished.connect(dialog.deleteLater)
+    dialog.open()
+    # beside the window's left edge, where it lies over numbers and not over the surface
+    dialog.move(window.mapToGlobal(QPoint(_FROM_EDGE, window.height() - dialog.height() - _FROM_EDGE)))
