@@ -25,10 +25,12 @@ class Mirror:
     ----------
     axis : of the net that is turned round, 0 for rows and 1 for columns: (i, j) mirrors (i, N-1-j)
     coordinate : of the plane's normal, 0, 1 or 2 for x, y, z
+    at : where the plane cuts its normal; None for the mean of the middle row or column
     """
 
     axis: int
     coordinate: int
+    at: float | None = None
 
     def flipped(self, array: Array) -> Array:
         """Return an array over the net in which every point has its partner's entry, vectors mirrored."""
@@ -37,7 +39,9 @@ class Mirror:
         return turned
 
     def place(self, net: Array) -> float:
-        """Return where the plane cuts its normal: at the mean of the middle row or column, or of the middle two."""
+        """Return where the plane cuts its normal: where it is told to, or at the mean of the middle line or two."""
+        if self.at is not None:
+            return self.at
         count = net.shape[self.axis]
         middle = net.take(range((count - 1) // 2, count // 2 + 1), self.axis)
         return float(middle[..., self.coordinate].mean())

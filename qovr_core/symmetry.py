@@ -12,7 +12,7 @@ from qovr_core.document import Document
 from qovr_core.edits import CoordinatePlace, Place, knots_of, set_knots, set_points, value_at
 from qovr_core.errors import DocumentError
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, Knots, knot_array
-from qovr_core.net_moves import COLUMNS_MIRROR, ROWS_MIRROR
+from qovr_core.net_moves import COLUMNS_MIRROR, ROWS_MIRROR, Mirror
 
 MIRRORS = {Direction.ROWS: ROWS_MIRROR, Direction.COLUMNS: COLUMNS_MIRROR}
 """The plane in which rows, or columns, mirror each other."""
@@ -32,15 +32,16 @@ class Source(StrEnum):
     MEAN = "mean"
 
 
-def make_symmetric(document: Document, across: Direction, source: Source) -> Document:
+def make_symmetric(document: Document, across: Direction, source: Source, mirror: Mirror | None = None) -> Document:
     """Return the document in which net and knots are their own mirror image.
 
     Parameters
     ----------
     across : COLUMNS lets column j mirror column N-1-j in the plane x = mean of the middle column; ROWS likewise in y
     source : which side stays as it is
+    mirror : another plane than that
     """
-    mirror, net = MIRRORS[across], document.control_points.copy()
+    mirror, net = mirror or MIRRORS[across], document.control_points.copy()
     place = mirror.place(net)
     net[..., mirror.coordinate] -= place
     shape = (-1, 1, 1) if mirror.axis == 0 else (1, -1, 1)
@@ -57,11 +58,14 @@ def make_symmetric(document: Document, across: Direction, source: Source) -> Doc
     return result
 
 
-def mirrored_values(document: Document, values: Mapping[Place, float], across: Direction) -> dict[Place, float]:
+def mirrored_values(
+    document: Document, values: Mapping[Place, float], across: Direction, mirror: Mirror | None = None
+) -> dict[Place, float]:
     """Return what is set together with these numbers, so that a net and knots that are symmetric stay so.
 
     A coordinate's mirror image changes by as much, along the plane's normal the other way; a knot's is the same on the
-    partner of its curve, or the reverse on a curve that crosses the plane. What ``values`` says itself is left.
+    partner of its curve, or the reverse on a curve that crosses the plane. What ``values`` says itself is left. Without
+    ``mirror``, the plane is that of ``MIRRORS``.
 
     Raises
     ------
@@ -69,7 +73,7 @@ def mirrored_values(document: Document, values: Mapping[Place, float], across: D
     """
     wanted = dict(values)
     for place, value in values.items():
-        partner, image = _image(document, place, value, across)
+        partner, image = _image(document, place, value, across, mirror or MIRRORS[across])
         if partner == place and image != value:
             raise DocumentError(
                 str(place), f"{value!r}", f"{_resting(document, place)!r}, as symmetry has it; or switch it off"
@@ -78,14 +82,13 @@ def mirrored_values(document: Document, values: Mapping[Place, float], across: D
     return wanted
 
 
-def _image(document: Document, place: Place, value: float, across: Direction) -> tuple[Place, float]:
+def _image(document: Document, place: Place, value: float, across: Direction, mirror: Mirror) -> tuple[Place, float]:
     """Return where the mirror image of a number stands, and what it becomes."""
     if isinstance(place, KnotPlace):
         if place.direction is across:
             last = len(knots_of(document, across)) - 1
             return KnotPlace(across, last - place.curve, place.name), value
         return KnotPlace(place.direction, place.curve, _REVERSED[place.name]), 1 - value
-    mirror = MIRRORS[across]
     last = document.control_points.shape[mirror.axis] - 1
     i, j = (last - place.i, place.j) if mirror.axis == 0 else (place.i, last - place.j)
     partner = CoordinatePlace(i, j, place.axis)

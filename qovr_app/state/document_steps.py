@@ -13,6 +13,7 @@ from qovr_core import Document, Evaluation, EvaluationError, edits
 from qovr_core.edits import Place, value_at
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.geometry.knots import KnotPlace
+from qovr_core.net_moves import COLUMNS_MIRROR, ROWS_MIRROR
 from qovr_core.symmetry import mirrored_values
 
 Edit = Callable[[Document], Document]
@@ -25,7 +26,7 @@ def values_edited(state: EditorState, intent: intents.ValuesEdited) -> EditorSta
             wanted |= dict.fromkeys(state.links.places(state.document, place), value)
     before = state.document if state.is_live else state.draft
     for direction in state.tools.symmetries:
-        wanted = mirrored_values(before, wanted, direction)
+        wanted = mirrored_values(before, wanted, direction, state.tools.mirror(direction))
     text = edit_text(list(wanted))
     return edited(state, text, lambda document: edits.set_values(document, wanted), intent, intent.gesture)
 
@@ -124,6 +125,8 @@ def opened(state: EditorState, intent: intents.Opened) -> EditorState:
     file = DocumentFile(intent.title, intent.path, intent.stamp, intent.stamp, intent.preset, state.file.opening + 1)
     state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=None)
     state = with_message(state, intent.message) if intent.message else state
+    # Where the planes of symmetry stand is meant for one document.
+    state = replace(state, tools=replace(state.tools, mirror_rows=ROWS_MIRROR, mirror_columns=COLUMNS_MIRROR))
     draft = intent.document if intent.draft is None else intent.draft
     # What was typed and not set can only wait where edits wait.
     state = replace(state, is_live=state.is_live and draft == intent.document)

@@ -24,7 +24,7 @@ def values_shifted(state: EditorState, intent: field_intents.ValuesShifted) -> E
             for other in state.links.places(begun, place):
                 wanted.setdefault(other, value)
     for direction in state.tools.symmetries:
-        wanted = mirrored_values(begun, wanted, direction)
+        wanted = mirrored_values(begun, wanted, direction, state.tools.mirror(direction))
     return edited(
         state, edit_text(list(wanted)), lambda document: edits.set_values(document, wanted), intent, intent.gesture
     )

@@ -24,14 +24,14 @@ from qovr_app.state import (
     tools,
 )
 from qovr_app.state.intents import Intent
-from qovr_core import Document, edits, net_edits, symmetry
+from qovr_core import Document, edits, net_edits, net_moves, symmetry
 from qovr_core.errors import DocumentError
 from qovr_core.files.qovr_document import document_from_json, document_to_json
 
 _KIND, _VALUE = "is", "value"
 
 _INTENTS = intents, field_intents, knot_intents, looking_intents, point_intents, requests
-_MODULES = *_INTENTS, display, tools, edits, net_edits, symmetry
+_MODULES = *_INTENTS, display, tools, edits, net_edits, net_moves, symmetry
 
 _KINDS: dict[str, Any] = {
     name: kind

@@ -22,7 +22,7 @@ def knots_set(state: EditorState, intent: KnotsSet) -> EditorState:
     if intent.name == "u":
         wanted |= _s_of(state, intent, begun, places)
     for direction in state.tools.symmetries:
-        wanted = mirrored_values(begun, wanted, direction)
+        wanted = mirrored_values(begun, wanted, direction, state.tools.mirror(direction))
     text = edit_text([place for place in wanted if isinstance(place, KnotPlace) and place.name == intent.name])
     if intent.in_view:
         return with_document(state, text, edits.set_values(state.document, wanted), intent, intent.gesture)

@@ -9,8 +9,8 @@ from qovr_app.state import looking_intents
 from qovr_app.state.display import ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
 from qovr_app.state.looking_intents import Picking
-from qovr_app.state.tools import can_be
-from qovr_core import DocumentError, Layer, QovrError
+from qovr_app.state.tools import check_setting
+from qovr_core import Layer, QovrError
 from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, check_points, zone_of
 from qovr_core.fields import Field
@@ -53,8 +53,7 @@ def display_chosen(state: EditorState, intent: looking_intents.DisplayChosen) ->
 
 
 def tool_chosen(state: EditorState, intent: looking_intents.ToolChosen) -> EditorState:
-    if not can_be(intent.setting, intent.value):
-        raise DocumentError(f"the {intent.setting.replace('_', ' ')}", repr(intent.value), "a number above 0")
+    check_setting(intent.setting, intent.value)
     changes: dict[str, Any] = {intent.setting: intent.value}
     return replace(state, tools=replace(state.tools, **changes))
 

@@ -17,7 +17,7 @@ from qovr_core.document import NetIndex
 from qovr_core.geometry.knots import Direction
 from qovr_core.net_moves import mirrored, softened
 from qovr_core.number_texts import summed
-from qovr_core.symmetry import MIRRORS, make_symmetric
+from qovr_core.symmetry import make_symmetric
 
 NUDGE_SECONDS = 1.0
 """Nudges closer together than this are one movement of the hand, and so one undo step."""
@@ -52,7 +52,8 @@ def points_edited(state: EditorState, intent: point_intents.PointsEdited) -> Edi
 def made_symmetric(state: EditorState, intent: point_intents.MadeSymmetric) -> EditorState:
     across = "rows" if intent.across is Direction.ROWS else "columns"
     text = f"Make symmetric across {across}"
-    return edited(state, text, lambda document: make_symmetric(document, intent.across, intent.source), intent)
+    mirror = state.tools.mirror(intent.across)
+    return edited(state, text, lambda document: make_symmetric(document, intent.across, intent.source, mirror), intent)
 
 
 def _with_net(state: EditorState, text: str, net: Array, intent: intents.Intent, gesture: int = 0) -> EditorState:
@@ -81,7 +82,7 @@ def _moved(
     field[places], moved[places] = displacements, True
     moves = field, moved
     for direction in tools.symmetries:
-        moves = mirrored(moves, MIRRORS[direction], indices[0])
+        moves = mirrored(moves, tools.mirror(direction), indices[0])
     field, _ = softened(moves, tools.soft_radius) if is_soft else moves
     result = net.copy()
     for place in zip(*np.nonzero(field), strict=True):

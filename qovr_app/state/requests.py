@@ -191,6 +191,11 @@ class TransformAsked(Request):
 
 
 @dataclass(frozen=True)
+class SymmetryAsked(Request):
+    """Ask in which planes rows and columns mirror each other."""
+
+
+@dataclass(frozen=True)
 class FocusAsked(Request):
     """Bring the keyboard to a zone or to the view, by its name."""
 

@@ -5,12 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
-from qovr_core import Document
-from qovr_core.checks import LARGEST_MAGNITUDE
+from qovr_core import Document, DocumentError
+from qovr_core.checks import LARGEST_MAGNITUDE, checked_number, described
 from qovr_core.geometry.knots import Direction
+from qovr_core.net_moves import COLUMNS_MIRROR, ROWS_MIRROR, Mirror
 from qovr_core.number_texts import natural_step
 
-_SIZES = ("snap_step", "soft_radius")
+SETTING_NAMES = {"snap_step": "the snap step", "soft_radius": "the soft radius"}
+"""What messages call the settings that are numbers."""
 
 
 class Way(StrEnum):
@@ -32,6 +34,7 @@ class ToolSettings:
     snaps, snap_step : whether a drag keeps to multiples of a step, in the document's units
     soft, soft_radius : whether moves fade out over the points around, and after how many steps along the net
     symmetry_rows, symmetry_columns : whether moves are mirrored across the rows' middle, and the columns'
+    mirror_rows, mirror_columns : in which planes
     xray : whether points behind the surface can be picked
     """
 
@@ -43,6 +46,8 @@ class ToolSettings:
     soft_radius: float = 2.0
     symmetry_rows: bool = False
     symmetry_columns: bool = False
+    mirror_rows: Mirror = ROWS_MIRROR
+    mirror_columns: Mirror = COLUMNS_MIRROR
     xray: bool = False
 
     @property
@@ -51,12 +56,26 @@ class ToolSettings:
         chosen = {Direction.ROWS: self.symmetry_rows, Direction.COLUMNS: self.symmetry_columns}
         return tuple(direction for direction, is_on in chosen.items() if is_on)
 
+    def mirror(self, across: Direction) -> Mirror:
+        """Return the plane in which rows, or columns, mirror each other."""
+        return self.mirror_rows if across is Direction.ROWS else self.mirror_columns
+
 
 def nudge_step(tools: ToolSettings, document: Document) -> float:
     """Return by how much a nudge moves: the step that drags keep to, or what means something in the net's size."""
     return tools.snap_step if tools.snaps else natural_step(0.0, document.net_size)
 
 
-def can_be(setting: str, value: object) -> bool:
-    """Return whether a setting can have a value: a step and a radius are above 0 and have an end."""
-    return setting not in _SIZES or (isinstance(value, float) and 0 < value <= LARGEST_MAGNITUDE)
+def checked_size(value: object, place: str) -> float:
+    """Return a step or a radius; anything but a number above 0 that has an end raises DocumentError."""
+    if not (isinstance(value, float) and 0 < value <= LARGEST_MAGNITUDE):
+        raise DocumentError(place, described(value), f"a number above 0, at most {LARGEST_MAGNITUDE:g}")
+    return value
+
+
+def check_setting(setting: str, value: object) -> None:
+    """Raise DocumentError where a setting cannot have a value."""
+    if setting in SETTING_NAMES:
+        checked_size(value, SETTING_NAMES[setting])
+    if isinstance(value, Mirror) and value.at is not None:
+        checked_number(value.at, "the place of the symmetry plane")

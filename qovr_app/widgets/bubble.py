@@ -39,7 +39,8 @@ class Bubble(QLabel):
     def speak(self, field: QWidget, text: str) -> None:
         """Say what is wrong with a field."""
         self.field = field
-        self.setText(sentence_html(f"{text}."))
+        is_symbol = text[1:2] == "_"  # r_ip begins no sentence as R_ip
+        self.setText(sentence_html(f"{text if is_symbol else text[:1].upper() + text[1:]}."))
         self._place()
         self.show()
         self.raise_()

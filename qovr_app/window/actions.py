@@ -19,7 +19,7 @@ class Actions(QObject):
 
     def __init__(self, commands: Sequence[Command], store: Store, parent: QObject) -> None:
         super().__init__(parent)
-        self.commands, self._store = tuple(commands), store
+        self.commands, self.store = tuple(commands), store
         self._groups: dict[str, QActionGroup] = {}
         self._actions = {command.name: self._action(command) for command in self.commands}
 
@@ -61,9 +61,9 @@ class Actions(QObject):
         return action
 
     def _on_triggered(self, command: Command) -> None:
-        self._store.dispatch(command.intent(self._store.state))
+        self.store.dispatch(command.intent(self.store.state))
         # Qt has turned the mark by itself, and a refused intent leaves the state as it was.
-        self.show_state(None, self._store.state)
+        self.show_state(None, self.store.state)
 
 
 def is_single_key(keys: QKeySequence) -> bool:

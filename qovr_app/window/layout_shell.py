@@ -13,7 +13,7 @@ from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
 from qovr_app.window.shell import Answers
-from qovr_app.window.transforming import ask_transform
+from qovr_app.window.transforming import ask_symmetry, ask_transform
 
 
 class LayoutShell:
@@ -30,6 +30,7 @@ class LayoutShell:
             requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
             requests.TransformAsked: lambda _asked: ask_transform(store, window),
+            requests.SymmetryAsked: lambda _asked: ask_symmetry(store, window),
             requests.ZoneButtonPressed: self._press_zone_button,
             requests.FocusAsked: lambda asked: layout.focus_part(asked.part),
             requests.CloseAsked: lambda _asked: window.close(),

@@ -13,6 +13,7 @@ from qovr_app.state.requests import RecentCleared, SourceAsked
 from qovr_app.store import Dispatch
 from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.actions import Actions
+from qovr_app.window.tool_options import ToolField
 
 _BAR_LAYERS = {"layer_raw": "Raw", "layer_transformed": "Transformed", "layer_both": "Both"}
 _BAR_CAMERAS = {
@@ -38,6 +39,9 @@ _BAR_EDITS = {
     "undo": "Undo",
     "redo": "Redo",
 }
+
+_BAR_TOOLS = {"snap": ("Snap", "snap_step"), "soft": ("Soft", "soft_radius")}
+"""The tools that have a size, by the command: text, and the field of the size beside it."""
 
 
 def fill_menu_bar(bar: QMenuBar, actions: Actions) -> dict[str, QMenu]:
@@ -85,6 +89,10 @@ def make_edit_bar(actions: Actions, parent: QWidget) -> QToolBar:
             _add(bar, actions[name], text)
         else:
             bar.addSeparator()
+    bar.addSeparator()
+    for name, (text, setting) in _BAR_TOOLS.items():
+        _add(bar, actions[name], text)
+        bar.addWidget(ToolField(setting, actions.store, bar))
     return bar
 
 

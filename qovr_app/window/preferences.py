@@ -11,8 +11,9 @@ from typing import Any
 from PySide6.QtCore import QByteArray, QSettings
 
 from qovr_app.state.display import ColourMap, ColourRange, DisplaySettings
-from qovr_app.state.tools import ToolSettings, can_be
+from qovr_app.state.tools import ToolSettings, check_setting
 from qovr_app.view3d.scene.patterns import colour_sources
+from qovr_core import QovrError
 from qovr_core.fields import FIELDS
 from qovr_core.files import ExportOptions
 
@@ -20,7 +21,7 @@ _ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
 _MOST_RECENT = 9
 """As many recent files as there are digits to choose them by."""
 
-_FORGOTTEN = ("theme", "fixed_range", "selects", "symmetry_rows", "symmetry_columns")
+_FORGOTTEN = ("theme", "fixed_range", "selects", "symmetry_rows", "symmetry_columns", "mirror_rows", "mirror_columns")
 """Settings that follow the system, or belong to one document, and are not remembered."""
 
 _CONVENTIONS = ("unit", "up", "csv_dialect")
@@ -130,8 +131,13 @@ class Preferences:
     @property
     def tools(self) -> ToolSettings:
         """How control points are picked and moved; a size that can be none counts as never set."""
-        chosen = self._chosen("tools", ToolSettings())
-        return replace(ToolSettings(), **{name: value for name, value in chosen.items() if can_be(name, value)})
+        settings = ToolSettings()
+        for name, value in self._chosen("tools", settings).items():
+            with suppress(QovrError):
+                check_setting(name, value)
+                remembered: dict[str, Any] = {name: value}
+                settings = replace(settings, **remembered)
+        return settings
 
     def note_tools(self, before: ToolSettings, after: ToolSettings) -> None:
         """Remember what is done otherwise than before."""

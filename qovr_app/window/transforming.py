@@ -1,13 +1,15 @@
-"""The dialog that moves, scales and rotates the selected points, and what is seen of it meanwhile."""
+"""The dialogs of moves by numbers: what they ask, and what is seen of it meanwhile."""
 
 from __future__ import annotations
 
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.dialogs.symmetry_dialog import SymmetryDialog
 from qovr_app.dialogs.transform_dialog import TransformDialog
 from qovr_app.state.gestures import next_gesture
 from qovr_app.state.intents import GestureBegun, GestureCancelled, GestureEnded
+from qovr_app.state.looking_intents import ToolChosen
 from qovr_app.state.names import points_text
 from qovr_app.state.point_intents import PointsEdited
 from qovr_app.state.readouts import moved_text
@@ -36,3 +38,19 @@ def ask_transform(store: Store, window: QWidget) -> None:
     dialog.open()
     # beside the window's left edge, where it lies over numbers and not over the surface
     dialog.move(window.mapToGlobal(QPoint(_FROM_EDGE, window.height() - dialog.height() - _FROM_EDGE)))
+
+
+def ask_symmetry(store: Store, window: QWidget) -> None:
+    """Ask in which planes rows and columns mirror each other."""
+    state = store.state
+    dialog = SymmetryDialog(
+        (state.tools.mirror_columns, state.tools.mirror_rows), state.document.control_points, window
+    )
+
+    def choose() -> None:
+        for setting, mirror in zip(("mirror_columns", "mirror_rows"), dialog.mirrors, strict=True):
+            store.dispatch(ToolChosen(setting, mirror))
+
+    dialog.accepted.connect(choose)
+    dialog.finished.connect(dialog.deleteLater)
+    dialog.open()

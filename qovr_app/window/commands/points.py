@@ -129,7 +129,15 @@ def _nudges() -> list[Command]:
 
 
 def _symmetries() -> list[Command]:
-    return [
+    planes = Command(
+        "symmetry_planes",
+        "&Planes of symmetry…",
+        asking(requests.SymmetryAsked()),
+        _SYMMETRY,
+        tip="Choose the axis and the place of the planes in which rows and columns mirror each other",
+        begins_part=True,
+    )
+    ways = [
         Command(
             f"symmetric_{across.name.lower()}_{source}",
             f"Across {across.name.lower()}, {text}",
@@ -142,6 +150,7 @@ def _symmetries() -> list[Command]:
         for across in (Direction.COLUMNS, Direction.ROWS)
         for source, (text, tip) in _SOURCES.items()
     ]
+    return [*ways, planes]
 
 
 def _has_selection(state: EditorState) -> bool:

@@ -25,12 +25,12 @@ _SWITCHES = {
     "symmetry_rows": (
         "symmetry_rows",
         "Symmetry across &rows",
-        "Row i moves and is set as the mirror of row N-1-i, in y",
+        "Row i moves and is set as the mirror of row N-1-i, in y or the axis chosen in Planes of symmetry",
     ),
     "symmetry_columns": (
         "symmetry_columns",
         "Symmetry across &columns",
-        "Column j moves and is set as the mirror of column N-1-j, in x",
+        "Column j moves and is set as the mirror of column N-1-j, in x or the axis chosen in Planes of symmetry",
     ),
     "xray": ("xray", "&X-ray", "Points behind the surface can be picked"),
 }
