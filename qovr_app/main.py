@@ -92,6 +92,7 @@ def _edit(arguments: argparse.Namespace) -> int:
     from qovr_app.window.preferences import Preferences
     from qovr_app.window.preferences_shell import apply_preferences
     from qovr_app.window.signals import EndSignals
+    from qovr_app.window.tour import offer_tour
     from qovr_core.cli import SIGNALLED
 
     for source in arguments.sources:
@@ -111,6 +112,8 @@ def _edit(arguments: argparse.Namespace) -> int:
     apply_preferences(Preferences(), open_windows())
     post.came.connect(open_windows().open_all)
     open_windows().open_all(arguments.sources)
+    if not arguments.sources:
+        offer_tour(open_windows().all[0], Preferences())
     code = application.exec()
     post.close()
     ends.close()

@@ -218,5 +218,10 @@ class KeysAsked(Request):
 
 
 @dataclass(frozen=True)
+class TourAsked(Request):
+    """Show in five steps what can be done with a surface."""
+
+
+@dataclass(frozen=True)
 class AboutAsked(Request):
     """Show the versions of the program and of what it is built on."""

@@ -64,6 +64,7 @@ class ViewFrame(QWidget):
 
     def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self.setObjectName("view_frame")
         self._store = store
         self._view: View3D | None = None
         self._gui_calls = GuiCalls(self)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from PySide6.QtCore import QObject
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
@@ -10,14 +12,19 @@ from qovr_app.state import requests
 from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.application import NAME
 from qovr_app.window.shell import Answers
+from qovr_app.window.tour import begin_tour
 from qovr_app.window.windows import Windows, bring_forward
 
+if TYPE_CHECKING:
+    from qovr_app.window.main_window import MainWindow
 
-def window_answers(windows: Windows, window: QWidget) -> Answers:
+
+def window_answers(windows: Windows, window: MainWindow) -> Answers:
     """Return what answers a window's requests that concern the others."""
     return {
         requests.WindowAsked: lambda _asked: windows.open(),
         requests.WindowStepped: lambda asked: windows.step_from(window, asked.step),
+        requests.TourAsked: lambda _asked: begin_tour(windows, window),
         requests.QuitAsked: lambda _asked: windows.quit(),
     }
 

@@ -55,12 +55,12 @@ class Windows:
         """Open a window that shows a source, None for the paper's example; it is gone once it is closed."""
         return self._shown(self._make(source))
 
-    def take(self, opened: Opened) -> None:
+    def take(self, opened: Opened) -> MainWindow:
         """Open a window that shows a document."""
         window = self._make(None)
         window.store.dispatch(opened)
         window.store.flush()
-        self._shown(window)
+        return self._shown(window)
 
     def open_all(self, sources: Sequence[str]) -> None:
         """Open each source in a window of its own, where it is not open already; none at all is the paper's example."""

@@ -111,6 +111,7 @@ def help_commands() -> tuple[Command, ...]:
     menu = "&Help"
     return (
         Command("help", "&Help", asking(requests.HelpAsked()), menu, key),
+        Command("tour", "&Tour", asking(requests.TourAsked()), menu, tip="Five steps with the paper's example"),
         Command("keys", "&Keys", asking(requests.KeysAsked()), menu, "Ctrl+F1", "Which command has which key"),
         Command(
             "palette",
