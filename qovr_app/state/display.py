@@ -8,6 +8,9 @@ from enum import StrEnum
 from qovr_core.fields import Field
 from qovr_core.layer import Layer
 
+UNCOLOURED = "none"
+"""What the colours say where they say nothing."""
+
 
 class LayerChoice(StrEnum):
     """Which layers are shown; ``BOTH`` puts the two side by side with linked cameras."""
@@ -23,10 +26,13 @@ class LayerChoice(StrEnum):
 
 
 class Style(StrEnum):
-    """How the surface is drawn. ``FACETS`` is MATLAB's ``surf``: one flat colour a cell, no light."""
+    """How the surface is drawn. ``FACETS`` is MATLAB's ``surf``: one flat colour a cell, no light; ``CLAY`` is light
+    alone.
+    """
 
     FACETS = "facets"
     SMOOTH = "smooth"
+    CLAY = "clay"
     WIREFRAME = "wireframe"
     POINTS = "points"
 
@@ -104,7 +110,7 @@ class DisplaySettings:
 
     layer: LayerChoice = LayerChoice.TRANSFORMED
     style: Style = Style.FACETS
-    colour_map: ColourMap = ColourMap.JET
+    colour_map: ColourMap = ColourMap.CIVIDIS
     colour_by: str = Field.HEIGHT.name
     colour_range: ColourRange = ColourRange.AUTO
     fixed_range: tuple[float, float] = (0.0, 1.0)
@@ -123,6 +129,27 @@ class DisplaySettings:
     knot_handles: bool = True
     axes: bool = True
     colour_bar: bool = True
+    triad: bool = True
     probe: bool = False
     always_fits: bool = False
     mouse: MouseScheme = MouseScheme.BLENDER
+
+    @property
+    def shown_colours(self) -> str:
+        """The name of what the colours say as the surface is drawn: clay has none."""
+        return UNCOLOURED if self.style is Style.CLAY else self.colour_by
+
+
+PAPER_LOOK: dict[str, object] = {
+    "style": Style.FACETS,
+    "colour_map": ColourMap.JET,
+    "colour_by": Field.HEIGHT.name,
+    "colour_range": ColourRange.AUTO,
+    "scaling": Scaling.EACH,
+    "projection": Projection.PARALLEL,
+    "surface": True,
+    "parameter_lines": True,
+    "axes": True,
+    "colour_bar": True,
+}
+"""How MATLAB draws the paper's figures, by fields of ``DisplaySettings``."""

@@ -43,6 +43,11 @@ class DisplayChosen(Intent):
 
 
 @dataclass(frozen=True)
+class PaperLookChosen(Intent):
+    """The surface looks as in the paper's figures."""
+
+
+@dataclass(frozen=True)
 class ToolChosen(Intent):
     """One of the tools' settings, by its field of ``ToolSettings``."""
 

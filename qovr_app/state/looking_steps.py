@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from qovr_app.state import looking_intents
-from qovr_app.state.display import ColourRange, LayerChoice, Placement
+from qovr_app.state.display import PAPER_LOOK, ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
 from qovr_app.state.looking_intents import Picking
 from qovr_app.state.tools import check_setting
@@ -50,6 +50,12 @@ def display_chosen(state: EditorState, intent: looking_intents.DisplayChosen) ->
     before = state.colours_before if intent.setting != "colour_by" else ""
     changes: dict[str, Any] = {intent.setting: intent.value}
     return replace(state, display=replace(state.display, **changes), colours_before=before)
+
+
+def paper_look_chosen(state: EditorState, _intent: looking_intents.PaperLookChosen) -> EditorState:
+    changes: dict[str, Any] = PAPER_LOOK
+    state = replace(state, display=replace(state.display, **changes), colours_before="")
+    return with_message(state, "As in the paper's figures: facets in MATLAB's jet, from its camera.")
 
 
 def tool_chosen(state: EditorState, intent: looking_intents.ToolChosen) -> EditorState:

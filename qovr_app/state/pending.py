@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 
+import numpy as np
+
 from qovr_app.state.typed_numbers import typed_number
 from qovr_core import Document, DocumentError, edits
-from qovr_core.edits import Place
+from qovr_core.document import NetIndex
+from qovr_core.edits import CoordinatePlace, Place
 
 
 def with_typed(draft: Document, texts: Mapping[Place, str]) -> Document:
@@ -21,3 +24,20 @@ def with_typed(draft: Document, texts: Mapping[Place, str]) -> Document:
             with suppress(DocumentError):
                 draft = edits.set_values(draft, {place: value})
     return draft
+
+
+def points_that_differ(document: Document, other: Document) -> frozenset[NetIndex]:
+    """Return the control points that are elsewhere in another document of the same net."""
+    if document is other or document.control_points.shape != other.control_points.shape:
+        return frozenset()
+    differ = (document.control_points != other.control_points).any(axis=-1)
+    return frozenset((i, j) for i, j in np.argwhere(differ).tolist())
+
+
+def refused_points(texts: Mapping[Place, str]) -> frozenset[NetIndex]:
+    """Return the control points over a coordinate of which something is typed that is no number."""
+    return frozenset(
+        (place.i, place.j)
+        for place, text in texts.items()
+        if isinstance(place, CoordinatePlace) and not isinstance(typed_number(text), float)
+    )

@@ -160,6 +160,11 @@ class CameraAsked(Request):
     name: str
 
 
+@dataclass(frozen=True)
+class PaperLookAsked(Request):
+    """Show the surface as the paper's figures do, from their camera."""
+
+
 class CameraStep(StrEnum):
     """Where the camera can be sent that no direction names."""
 

@@ -117,15 +117,13 @@ class View3D(QWidget):
             settings=shown.settings,
             camera=self.camera,
             scene=scene,
-            selected=shown.selected,
-            last_selected=shown.last_selected,
             hovered=self._pointer.net_index,
             moving=self._refinement.is_moving,
             probed=None if self._pointer.reading is None else self._pointer.reading[1],
             caption=scene.caption if shown.viewports > 1 else "",
             tools=shown.tools,
             hand=self._viewports.hand(viewport),
-            curve=shown.curve,
+            **shown.marks,
         )
 
     def display(self, shown: Shown) -> None:
@@ -237,6 +235,7 @@ class View3D(QWidget):
         interactor.radius_turned.connect(self.radius_turned)
         interactor.mouse.picked.connect(self.points_picked)
         interactor.mouse.opened.connect(self.point_opened)
+        interactor.mouse.view_asked.connect(self.set_camera)
         interactor.mouse.menu_asked.connect(self.menu_asked)
         interactor.dragger.dragged.connect(self.points_dragged)
         for dragger in (interactor.dragger, interactor.knot_dragger):

@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QDialog, QWidget
 
 from qovr_app.dialogs.range_dialog import RangeDialog
 from qovr_app.state import requests
-from qovr_app.state.looking_intents import RangeFixed
+from qovr_app.state.looking_intents import PaperLookChosen, RangeFixed
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
@@ -26,6 +26,7 @@ class LayoutShell:
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,
+            requests.PaperLookAsked: self._look_as_the_paper,
             requests.ViewRestartAsked: layout.view_frame.restart,
             requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
@@ -35,6 +36,12 @@ class LayoutShell:
             requests.FocusAsked: lambda asked: layout.focus_part(asked.part),
             requests.CloseAsked: lambda _asked: window.close(),
         }
+
+    def _look_as_the_paper(self, _request: requests.PaperLookAsked) -> None:
+        """Take the paper's colours and style, and turn to its camera once they are there."""
+        self._store.dispatch(PaperLookChosen())
+        self._store.flush()
+        self._layout.view_frame.look(requests.CameraAsked("paper"))
 
     def _ask_range(self, _request: requests.RangeAsked) -> None:
         """Ask for the ends of a fixed range; a dialog that is left changes nothing."""

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.pending import points_that_differ, refused_points
 from qovr_app.state.requests import CameraAsked, CameraStep, FocusAsked, ViewRestartAsked
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
@@ -224,6 +225,8 @@ def shown_of(state: EditorState) -> Shown:
         tools=state.tools,
         selected=state.selection.points,
         last_selected=state.selection.last,
+        pending=points_that_differ(state.document, state.pending) if state.has_pending else frozenset(),
+        refused=refused_points(state.texts),
         reference=reference.surface if reference else None,
         reference_name=reference.name if reference else "",
         knot=state.knot,

@@ -4,6 +4,7 @@ uniform highp sampler2D u_samples;
 uniform vec4 u_facets;
 #endif
 uniform vec3 u_undefined;
+uniform vec4 u_below;
 uniform float u_no_value;
 uniform vec3 u_light_stripe;
 uniform vec3 u_dark_stripe;
@@ -76,7 +77,11 @@ vec3 map_colour(float part) {
     return texture(u_colours, vec2(clamp(part, 0.0, 1.0) * TEXELS.x + TEXELS.y, 0.5)).rgb;
 }
 
-#ifdef ZEBRA
+#ifdef UNCOLOURED
+vec3 surface_colour() {
+    return map_colour(0.5);
+}
+#elif defined(ZEBRA)
 // What the surface mirrors of a room with light and dark rings around the vertical.
 vec3 surface_colour() {
     vec3 mirrored = reflect(-normalize(v_toward), normalize(v_normal));
@@ -113,6 +118,10 @@ vec3 surface_colour() {
 
 void main() {
     vec3 colour = surface_colour();
+#if !defined(POINTS) && !defined(WIREFRAME)
+    // The triangles are wound around S_u x S_v.
+    colour = gl_FrontFacing == (u_below.a < 0.0) ? mix(colour, u_below.rgb, abs(u_below.a)) : colour;
+#endif
 #ifdef POINTS
     vec2 from_middle = 2.0 * gl_PointCoord - 1.0;
     if (dot(from_middle, from_middle) > 1.0) discard;

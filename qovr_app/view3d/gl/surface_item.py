@@ -16,7 +16,7 @@ from qovr_app.view3d.gl.program import link_program
 from qovr_app.view3d.gl.surface_buffers import ATTRIBUTES, SurfaceBuffers
 from qovr_app.view3d.scene.colouring import UNDEFINED
 from qovr_app.view3d.scene.mesh import Counts, facet_counts, triangle_indices
-from qovr_app.view3d.scene.patterns import BAND, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE, STRIPE
+from qovr_app.view3d.scene.patterns import BAND, BELOW, BELOW_PART, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE, STRIPE
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_periods, line_width, relief
 from qovr_core.arrays import Array
@@ -24,6 +24,7 @@ from qovr_core.arrays import Array
 _STYLE_DEFINES: dict[Style, tuple[str, ...]] = {
     Style.FACETS: (),
     Style.SMOOTH: ("LIGHT", "NORMALS"),
+    Style.CLAY: ("LIGHT", "NORMALS"),
     Style.WIREFRAME: ("WIREFRAME",),
     Style.POINTS: ("POINTS",),
 }
@@ -125,6 +126,8 @@ def _set_style(program: QOpenGLShaderProgram, picture: Picture, pixel_ratio: flo
         ("u_dark_stripe", DARK_STRIPE),
     ):
         api.set_floats(at(name), *(channel / 255 for channel in colour))
+    turned = -1 if picture.scene.is_turned else 1
+    api.set_floats(at("u_below"), *(channel / 255 for channel in BELOW), turned * BELOW_PART)
     api.set_floats(at("u_no_value"), UNDEFINED / 2)
     api.set_floats(at("u_relief"), relief(settings))
     api.set_floats(at("u_degrees"), STRIPE, BAND, LARGEST_ANGLE)

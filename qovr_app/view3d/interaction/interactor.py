@@ -20,6 +20,7 @@ from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.grip import Freedom
 from qovr_app.view3d.scene.hand import Hand, KnotMarks
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.triad import view_under
 from qovr_core.geometry.knots import KnotPlace
 
 KEPT_POINTS = "A control net keeps all its points. Move one, or make the net flat or symmetric by the Edit menu."
@@ -68,6 +69,7 @@ class Interactor(QObject):
         self.mouse = Mouse(self.dragger, self.knot_dragger)
         self._freedom: Freedom | None = None
         self._knot: KnotPlace | None = None
+        self._view = ""
         self._letter_is_down = False
         self.mouse.camera_requested.connect(self.camera_requested)
         for part in (self.mouse, self.dragger, self.knot_dragger):
@@ -83,7 +85,7 @@ class Interactor(QObject):
         """What is seen of the mouse in this viewport."""
         marks, hovered = self.dragger.marks, None if self._knot is None else KnotMarks(self._knot)
         freedom = self._freedom if marks is None else marks.freedom
-        return Hand(freedom, marks, self.mouse.band, self.knot_dragger.marks or hovered)
+        return Hand(freedom, marks, self.mouse.band, self.knot_dragger.marks or hovered, self._view)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
         picture = self._picture()
@@ -99,6 +101,7 @@ class Interactor(QObject):
             size = self._viewport.logical_size
             return self.mouse.is_held or self._request(moved_by_gesture(event, picture.camera, size))
         if event.type() == QEvent.Type.Leave:
+            self._view = ""
             self.hovered.emit(None)
             self.pointed.emit(None)
         elif event.type() in _LOST and self.mouse.is_held:
@@ -142,15 +145,20 @@ class Interactor(QObject):
 
     def _hover(self, at: QPointF) -> None:
         picture, size = self._picture(), self._viewport.logical_size  # a drag that has just ended leaves another one
-        freedom = None if picture is None else gizmo_under(picture, size, at.x(), at.y())
-        handle = handle_under(picture, size, at.x(), at.y()) if picture is not None and freedom is None else None
-        is_free = freedom is None and handle is None
-        points = points_under(picture, size, at.x(), at.y()) if picture is not None and is_free else []
+        if picture is None:
+            return
+        x, y = at.x(), at.y()
+        view = view_under(picture.settings, picture.camera, size, x, y)
+        freedom = None if view else gizmo_under(picture, size, x, y)
+        handle = None if view or freedom else handle_under(picture, size, x, y)
+        is_free = not view and freedom is None and handle is None
+        points = points_under(picture, size, x, y) if is_free else []
         is_free = is_free and not points
         self.widget.setCursor(Qt.CursorShape.ArrowCursor if is_free else Qt.CursorShape.PointingHandCursor)
         knot = None if handle is None else handle.place
-        if (freedom, knot) != (self._freedom, self._knot):
-            self._freedom, self._knot = freedom, knot
+        if (freedom, knot, view) != (self._freedom, self._knot, self._view):
+            self._freedom, self._knot, self._view = freedom, knot, view
+            self.widget.setToolTip(f"Look from: {view}" if view else "")
             self.changed.emit()
         self.hovered.emit(points[0] if points else None)
 

@@ -9,6 +9,9 @@ from PySide6.QtCore import QPointF, Qt
 
 from qovr_app.state.looking_intents import Picking
 from qovr_app.view3d.interaction.mouse_schemes import Motion
+from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.triad import view_under
 from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 
@@ -33,6 +36,7 @@ class Press:
     motion, pivot : how it moves the camera, and about which point (3,) of the unit space an orbit turns
     point : the control point that a click without a move means
     picking : what it does to the selection
+    view : the named view that a click without a move asks for; empty for none
     has_moved : whether it has become a drag
     """
 
@@ -43,6 +47,7 @@ class Press:
     pivot: Array | None = None
     point: NetIndex | None = None
     picking: Picking = Picking.REPLACE
+    view: str = ""
     has_moved: bool = False
 
 
@@ -51,3 +56,9 @@ def picking_of(modifiers: Qt.KeyboardModifier) -> Picking:
     if modifiers & Qt.KeyboardModifier.ShiftModifier:
         return Picking.ADD
     return Picking.TOGGLE if modifiers & Qt.KeyboardModifier.ControlModifier else Picking.REPLACE
+
+
+def press_on_axes(at: QPointF, picture: Picture, size: Size) -> Press | None:
+    """Return what a press of the left button on the axes in the corner begins; None beside their ends."""
+    view = view_under(picture.settings, picture.camera, size, at.x(), at.y())
+    return Press(Qt.MouseButton.LeftButton, at, Doing.LOOK, Motion.ORBIT, view=view) if view else None

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from qovr_app.style.theme import Rgb
 from qovr_app.view3d.painter.colour_bar import bar_room
 from qovr_app.view3d.painter.discs import Disc, draw_discs
 from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.net_marks import OTHER, flags_of, gaps, is_within, levels, ranks, with_room
+from qovr_app.view3d.scene.net_marks import OTHER, covers, flags_of, gaps, is_within, levels, ranks, with_room
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
+from qovr_app.view3d.scene.triad import REACH, has_triad, triad_centre
 from qovr_core.arrays import Array, Flags
+from qovr_core.document import NetIndex
 
 POINT_RADIUS = 4.5
 _LEAST_RADIUS, _PART_OF_GAP = 1.0, 0.36
 """Where the points of a net crowd their discs are smaller, so that they stay apart."""
 
-_MARKED_RADIUS, _RING_RADIUS = 6.0, 10.0
+_MARKED_RADIUS, _HALO_RADIUS, _RING_RADIUS = 6.0, 8.5, 10.0
 _RING_WIDTH = 2.4
 
 _LABEL_OFFSET = (6.0, -4.0)
@@ -37,6 +42,9 @@ def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
     theme, radius = picture.theme, _radius(seen)
     selected, is_seen = flags_of(picture.selected, hidden.shape), is_within(seen, size)
     dim = _SEEN_THROUGH if picture.tools.xray else _HIDDEN
+    for points, halo in ((picture.pending, theme.warn), (picture.refused, theme.bad)):
+        flags = flags_of(points, hidden.shape) & is_seen
+        draw_discs(painter, seen[flags], size, Disc(_HALO_RADIUS, halo, theme.rim))
     for flags, opacity in ((hidden & ~selected, dim), (~hidden & ~selected, 1.0)):
         draw_discs(painter, seen[flags & is_seen], size, Disc(radius, theme.point, theme.rim, opacity))
     marked_radius = _MARKED_RADIUS * max(radius, 2 * _LEAST_RADIUS) / POINT_RADIUS
@@ -46,10 +54,18 @@ def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
             continue
         if index == picture.last_selected:
             painter.setBrush(QColor(*theme.rim))
-            painter.setPen(QPen(QColor(*theme.selected), _RING_WIDTH))
+            painter.setPen(QPen(QColor(*_ring_colour(picture, index)), _RING_WIDTH))
             painter.drawEllipse(QPointF(*seen[index].tolist()), _RING_RADIUS, _RING_RADIUS)
         colour = theme.selected if selected[index] else theme.point
         draw_discs(painter, seen[index][None], size, Disc(_MARKED_RADIUS, colour, theme.rim))
+
+
+def _ring_colour(picture: Picture, index: NetIndex) -> Rgb:
+    """Return the colour of the ring around the point picked last, which says what is typed over it."""
+    theme = picture.theme
+    if index in picture.refused:
+        return theme.bad
+    return theme.warn if index in picture.pending else theme.selected
 
 
 def _radius(seen: Array) -> float:
@@ -67,15 +83,27 @@ def draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
     i, j = i[order], j[order]
     width, height = text_size(_name(rows - 1, columns - 1), SMALL)
     corners = seen[i, j] + _LABEL_OFFSET - [0.0, _LABEL_RISE * height]
+    taken = np.array(_taken(picture, size))
+    turns = covers(corners, (width, height), taken)
+    corners[turns, 0] -= width + 2 * _LABEL_OFFSET[0]
     more = float(np.clip(_CROWDED * width / max(*gaps(seen), _LEAST_RADIUS), 1.0, _MOST_ROOM))
-    taken = np.array([bar_room(size)] if has_colour_bar(picture.settings, size) else []).reshape(-1, 4)
     marked = int((rank[i, j] != OTHER).sum())
     chosen, opacities = with_room(corners, (more * width, more * height), taken, marked)
     for number, opacity in zip(chosen.tolist(), opacities.tolist(), strict=True):
         is_marked = number < marked
         ink = theme.selected if is_marked and (i[number], j[number]) != picture.hovered else theme.ink
-        at = tuple((seen[i[number], j[number]] + _LABEL_OFFSET).tolist())
-        draw_text(painter, _name(i[number], j[number]), at, (0, _LABEL_RISE), ink, halo=theme.rim, opacity=opacity)
+        at = tuple(corners[number].tolist())
+        draw_text(painter, _name(i[number], j[number]), at, (0, 0), ink, halo=theme.rim, opacity=opacity)
+
+
+def _taken(picture: Picture, size: Size) -> list[tuple[float, float, float, float]]:
+    """Return what no name may cover, by left, top, right and bottom: what is beside the viewport, colour bar, triad."""
+    taken = [(size[0], 0.0, math.inf, size[1])]
+    taken += [bar_room(size)] if has_colour_bar(picture.settings, size) else []
+    if picture.hand is not None and has_triad(picture.settings, size):
+        x, y = triad_centre(size)
+        taken.append((x - REACH, y - REACH, x + REACH, y + REACH))
+    return taken
 
 
 def _name(i: int, j: int) -> Runs:

@@ -16,6 +16,7 @@ from qovr_app.view3d.painter.net_points import draw_labels, draw_points
 from qovr_app.view3d.painter.note import draw_hint, draw_note
 from qovr_app.view3d.painter.readout import draw_readout
 from qovr_app.view3d.painter.text import NORMAL, draw_text, plain, text_size
+from qovr_app.view3d.painter.triad import draw_triad
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.occlusion import hidden_among
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
@@ -39,6 +40,7 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
         draw_points(painter, picture, places[-1], flags[-1], size)
     if settings.labels:
         draw_labels(painter, picture, places[-1], flags[-1], size)
+    draw_triad(painter, picture, size)
     draw_hand(painter, picture, size)
     _draw_words(painter, picture, size)
 

@@ -11,6 +11,7 @@ from qovr_app.state.display import Style
 from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.mesh import Counts, surface_vertices
+from qovr_app.view3d.scene.patterns import BELOW, BELOW_PART
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_width, relief
 from qovr_core.arrays import Array
@@ -95,10 +96,16 @@ def _paint_cells(painter: QPainter, picture: Picture, vertices: Array, seen: Arr
 def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
     """Return red, green and blue of every cell (k, 4, 7): by its first corner in facets, else by its middle."""
     normals = _unit(cells[..., 3:6].mean(axis=1) @ picture.camera.axes.T)
+    middles, toward = cells[..., :3].mean(axis=1), _toward(picture, cells[..., :3].mean(axis=1))
     if picture.has_facets:
-        return picture.colouring.colours(cells[:, 0, 6], picture.theme.undefined)
-    colours = _colours(picture, cells[..., :3].mean(axis=1), normals, cells[..., 6].mean(axis=1))
-    if picture.settings.style is not Style.SMOOTH:
+        colours = picture.colouring.colours(cells[:, 0, 6], picture.theme.undefined)
+    else:
+        colours = _colours(picture, middles, normals, cells[..., 6].mean(axis=1))
+    if picture.settings.style is not Style.WIREFRAME:
+        is_below = (np.einsum("kd,kd->k", normals, toward) < 0) != picture.scene.is_turned
+        tinted = (1 - BELOW_PART) * colours[is_below] + BELOW_PART * np.array(BELOW)
+        colours[is_below] = np.rint(tinted).astype(np.uint8)
+    if picture.settings.style not in (Style.SMOOTH, Style.CLAY):
         return colours
     normals = normals * np.where(normals[:, 2:] < 0, -1, 1)
     key = np.maximum(normals @ _KEY_LIGHT, 0)
@@ -109,11 +116,15 @@ def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
 
 def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> npt.NDArray[np.uint8]:
     """Return the unlit colours at points (k, 3) with unit normals (k, 3) in the camera's axes and parts (k,)."""
-    eye = picture.camera.eye
-    toward = _unit((eye[:3] - eye[3] * points) @ picture.camera.axes.T)
     if picture.colouring.pattern is not None:
-        parts = picture.colouring.pattern.parts(normals, toward)
+        parts = picture.colouring.pattern.parts(normals, _toward(picture, points))
     return picture.colouring.colours(parts, picture.theme.undefined)
+
+
+def _toward(picture: Picture, points: Array) -> Array:
+    """Return unit vectors (k, 3) from points (k, 3) to the eye, in the camera's axes."""
+    eye = picture.camera.eye
+    return _unit((eye[:3] - eye[3] * points) @ picture.camera.axes.T)
 
 
 def _unit(vectors: Array) -> Array:

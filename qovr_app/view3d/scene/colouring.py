@@ -90,11 +90,11 @@ def colouring_of(scene: Scene, settings: DisplaySettings, counts: Counts, *, mov
     counts : the grid from which limits are taken where the settings leave them open
     moving : something moves, so that costly values are taken from a coarser grid
     """
-    key = (settings.colour_by, settings.colour_map, settings.colour_range, settings.fixed_range, settings.scaling)
+    key = (settings.shown_colours, settings.colour_map, settings.colour_range, settings.fixed_range, settings.scaling)
     found = scene.cache.get((key, counts, moving))
     if found is None:
-        if settings.colour_by in PATTERNS:
-            found = _pattern_colouring(PATTERNS[settings.colour_by], settings)
+        if settings.shown_colours in PATTERNS:
+            found = _pattern_colouring(PATTERNS[settings.shown_colours], settings)
         else:
             found = _field_colouring(scene, settings, counts, moving)
         scene.cache[key, counts, moving] = found

@@ -96,9 +96,11 @@ class Hand:
     drag : the points that are being moved; None for none
     band : the rectangle that selects; None for none
     knot : the handle of a knot that is under the mouse or in use; None for none
+    view : the named view for which the axes in the corner are under the mouse; empty for none
     """
 
     freedom: Freedom | None = None
     drag: DragMarks | None = None
     band: Band | None = None
     knot: KnotMarks | None = None
+    view: str = ""

@@ -80,6 +80,15 @@ def _levels(count: int) -> Numbers:
     return found
 
 
+def covers(corners: Array, room: tuple[float, float], taken: Array) -> Flags:
+    """Return which boxes, as below, lie on what is never covered."""
+    (left, top), (width, height) = corners.T, room
+    found = np.zeros(len(corners), dtype=bool)
+    for a, b, c, d in taken.tolist():
+        found |= (left < c) & (left + width > a) & (top < d) & (top + height > b)
+    return found
+
+
 def with_room(corners: Array, room: tuple[float, float], taken: Array, freely: int) -> tuple[Numbers, Array]:
     """Return which of several boxes of one size are drawn, in their order of precedence, and how opaque each is.
 
@@ -91,14 +100,11 @@ def with_room(corners: Array, room: tuple[float, float], taken: Array, freely: i
     freely : how many of the first do not fade
     """
     width, height = room
-    left, top = corners.T
-    is_free: Flags = np.ones(len(corners), dtype=bool)
-    for a, b, c, d in taken.tolist():
-        is_free &= ~((left < c) & (left + width > a) & (top < d) & (top + height > b))
+    is_free = ~covers(corners, room, taken)
     if len(corners) > _MANY:
         is_free &= _first_in_cells(corners, room)
     numbers, away = np.flatnonzero(is_free), np.full(len(corners), np.inf)
-    left, top, away = left[numbers], top[numbers], away[numbers]
+    (left, top), away = corners[numbers].T, away[numbers]
     waits, kept = np.ones(len(numbers), dtype=bool), list[int]()
     for k in range(len(numbers)):
         if waits[k]:

@@ -42,7 +42,7 @@ _AT_ONCE = 500
 _LONG, _STEP = 64, 4
 """Marks in a row from which only every so many are looked up at first."""
 
-_OPAQUE_STYLES = (Style.FACETS, Style.SMOOTH)
+_OPAQUE_STYLES = (Style.FACETS, Style.SMOOTH, Style.CLAY)
 
 
 def hidden_by(picture: Picture, marks: Array, size: Size) -> Flags:

@@ -12,6 +12,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from qovr_app.state.display import UNCOLOURED
 from qovr_app.style.theme import Rgb
 from qovr_core.arrays import Array, Flags
 from qovr_core.fields import FIELDS, Field
@@ -27,6 +28,11 @@ LARGEST_ANGLE = 90.0
 
 LIGHT_STRIPE: Rgb = (244, 245, 247)
 DARK_STRIPE: Rgb = (66, 72, 84)
+BELOW: Rgb = (92, 70, 112)
+BELOW_PART = 0.42
+"""The colour that tints what is seen from below, and how much of it is seen."""
+
+CLAY: Rgb = (206, 198, 186)
 
 
 _BANDS = round(LARGEST_ANGLE / BAND)
@@ -42,7 +48,7 @@ class Pattern(Record):
     define : the part of the surface's fragment shader that draws it
     parts : called with unit normals (k, 3) and unit vectors toward the eye (k, 3), both in the camera's axes, it
         returns where in the colours the pattern lies, (k,) from 0 to 1
-    bar : the parts of the colours that the colour bar shows in equal steps, from below
+    bar : the parts of the colours that the colour bar shows in equal steps, from below; none where there is no bar
     ticks : the numbers beside the bar, from its lower end to its upper one; none for a pattern without numbers
     colours : its own colours from the lower to the upper end; none where it takes those of the settings
     """
@@ -121,6 +127,18 @@ PATTERNS.register(
         parts=isophote_parts,
         bar=tuple(np.linspace(0.0, 1.0, _BANDS).tolist()),
         ticks=tuple((BAND * np.arange(_BANDS + 1)).tolist()),
+    )
+)
+PATTERNS.register(
+    Pattern(
+        UNCOLOURED,
+        "",
+        "&None",
+        "One colour, which says nothing: what is seen is shape",
+        define="UNCOLOURED",
+        parts=lambda normals, _toward: np.zeros(len(normals)),
+        bar=(),
+        colours=(CLAY,),
     )
 )
 PATTERNS.seal()

@@ -39,7 +39,7 @@ class Picture:
 
     Parameters
     ----------
-    selected, last_selected, hovered : control points that are marked
+    selected, last_selected, hovered, pending, refused : control points that are marked
     moving : draw on a coarser grid, because the next frame is near
     probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing
@@ -54,6 +54,8 @@ class Picture:
     selected: frozenset[NetIndex] = frozenset()
     last_selected: NetIndex | None = None
     hovered: NetIndex | None = None
+    pending: frozenset[NetIndex] = frozenset()
+    refused: frozenset[NetIndex] = frozenset()
     moving: bool = False
     probed: Parameters | None = None
     caption: str = ""
@@ -93,7 +95,7 @@ class Picture:
     @property
     def has_facets(self) -> bool:
         """Whether every cell has one colour, that of its first corner."""
-        return self.settings.style is Style.FACETS and self.settings.colour_by not in PATTERNS
+        return self.settings.style is Style.FACETS and self.settings.shown_colours not in PATTERNS
 
     @property
     def coloured_counts(self) -> Counts:
@@ -108,7 +110,9 @@ class Picture:
 
 def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
     """Return whether a viewport of this size shows the colour bar."""
-    return settings.colour_bar and settings.surface and size[0] >= _NARROW
+    pattern = PATTERNS.get(settings.shown_colours)
+    has_colours = settings.surface and (pattern is None or pattern.bar != ())
+    return settings.colour_bar and has_colours and size[0] >= _NARROW
 
 
 def is_in_colour_bar(settings: DisplaySettings, size: Size, x: float) -> bool:

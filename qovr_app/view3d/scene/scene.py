@@ -11,7 +11,7 @@ import numpy as np
 from qovr_app.state.display import Scaling
 from qovr_app.view3d.scene.frame import FARTHEST, Frame, frame_around
 from qovr_app.view3d.scene.held_ranges import HeldRanges
-from qovr_app.view3d.scene.mesh import Counts, curve_points, spread
+from qovr_app.view3d.scene.mesh import Counts, curve_points, spread, surface_vertices
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
 from qovr_core.evaluation import parameters
@@ -21,6 +21,10 @@ from qovr_core.layer import Layer
 
 CURVE_POINTS = 49
 """Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
+
+
+_COARSE = (9, 9)
+"""Vertices that tell which side of a surface is the upper one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -123,6 +127,11 @@ class Scene:
     def points(self) -> Array:
         """The control points in the unit space, (k, l, 3): k rows of l."""
         return read_only(self.frame.to_unit(self.document.control_points))
+
+    @cached_property
+    def is_turned(self) -> bool:
+        """Whether the surface's normals S_u x S_v point down on the whole, as those of a net that runs backward do."""
+        return bool(surface_vertices(self.patch, _COARSE)[..., 5].sum() < 0)
 
     @cached_property
     def network(self) -> CurveNetwork:

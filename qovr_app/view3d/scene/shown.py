@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.tools import ToolSettings
@@ -14,6 +15,8 @@ from qovr_core.document import NetIndex
 from qovr_core.fields import FIELDS
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import KnotPlace
+
+_MARKS = ("selected", "last_selected", "pending", "refused", "curve")
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,6 +31,7 @@ class Shown:
     tools : how control points are picked and moved
     selected : the control points that are marked
     last_selected : the one of them that was picked last; None where none is
+    pending, refused : the control points over which something is typed that is not set, and that cannot be
     reference : a surface in the document's units, from which distances are taken; None without one
     reference_name : what to call it
     knot : the knot to which the sensitivity is shown; None without one
@@ -43,6 +47,8 @@ class Shown:
     tools: ToolSettings = field(default_factory=ToolSettings)
     selected: frozenset[NetIndex] = frozenset()
     last_selected: NetIndex | None = None
+    pending: frozenset[NetIndex] = frozenset()
+    refused: frozenset[NetIndex] = frozenset()
     reference: ParametricSurface | None = None
     reference_name: str = ""
     knot: KnotPlace | None = None
@@ -69,10 +75,14 @@ class Shown:
         return (
             self.settings != before.settings
             or self.comparison != before.comparison
-            or self.curve != before.curve
-            or (self.selected, self.last_selected) != (before.selected, before.last_selected)
+            or self.marks != before.marks
             or (shows_companions and self.companions_differ(before))
         )
+
+    @property
+    def marks(self) -> dict[str, Any]:
+        """What is marked, by fields that a picture has too."""
+        return {name: getattr(self, name) for name in _MARKS}
 
     def companions_differ(self, before: Shown) -> bool:
         """Return whether the surface is looked at with something else than before."""

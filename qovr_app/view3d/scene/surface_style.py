@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from qovr_app.state.display import DisplaySettings, Style
+from qovr_app.state.display import UNCOLOURED, DisplaySettings, Style
 from qovr_app.view3d.scene.mesh import Counts
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_core.fields import FIELDS
@@ -10,8 +10,8 @@ from qovr_core.fields import FIELDS
 POINT_SIZE = 3.0
 """Logical pixels across a sample in the style of points."""
 
-_LINE_WIDTHS = {Style.FACETS: 1.0, Style.SMOOTH: 1.0, Style.WIREFRAME: 1.1, Style.POINTS: 0.0}
-_LINE_OPACITIES = {Style.FACETS: 0.62, Style.SMOOTH: 0.30, Style.WIREFRAME: 1.0, Style.POINTS: 0.0}
+_LINE_WIDTHS = {Style.FACETS: 1.0, Style.SMOOTH: 1.0, Style.CLAY: 1.0, Style.WIREFRAME: 1.1, Style.POINTS: 0.0}
+_LINE_OPACITIES = {Style.FACETS: 0.62, Style.SMOOTH: 0.30, Style.CLAY: 0.22, Style.WIREFRAME: 1.0, Style.POINTS: 0.0}
 
 _FIELD_LINES = 0.55
 """Over anything but coordinates facets have lines that much paler: pale colours are to be read through them."""
@@ -37,22 +37,22 @@ def line_width(style: Style) -> float:
 def line_opacity(settings: DisplaySettings) -> float:
     """Return the opacity of parameter lines; 0 means none."""
     shown = settings.parameter_lines or settings.style is Style.WIREFRAME
-    if settings.colour_by in PATTERNS:
+    if settings.shown_colours in PATTERNS and settings.shown_colours != UNCOLOURED:
         paler = _PATTERN_LINES
     else:
-        paler = _FIELD_LINES if settings.style is Style.FACETS and not _is_coordinate(settings) else 1.0
+        paler = _FIELD_LINES if settings.style is Style.FACETS and _is_read(settings) else 1.0
     return _LINE_OPACITIES[settings.style] * paler if shown else 0.0
 
 
 def relief(settings: DisplaySettings) -> float:
     """Return how much of the light is seen on the smooth surface, from 0 to 1."""
-    return 1.0 if _is_coordinate(settings) else _FIELD_RELIEF
+    return _FIELD_RELIEF if _is_read(settings) else 1.0
 
 
-def _is_coordinate(settings: DisplaySettings) -> bool:
-    """Return whether the colours say what an axis says too, so that nobody has to read them through lines and light."""
-    field = FIELDS.get(settings.colour_by)
-    return field is not None and field.axis is not None
+def _is_read(settings: DisplaySettings) -> bool:
+    """Return whether the colours are read through lines and light: they say something that no axis says too."""
+    field = FIELDS.get(settings.shown_colours)
+    return settings.shown_colours != UNCOLOURED and (field is None or field.axis is None)
 
 
 def line_periods(samples: Counts) -> tuple[tuple[float, float], tuple[float, float]]:

@@ -8,7 +8,15 @@ from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, MouseSch
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.state.looking_intents import DisplayChosen
-from qovr_app.state.requests import CameraAsked, CameraMoved, CameraStep, CopyAsked, RangeAsked, ViewRestartAsked
+from qovr_app.state.requests import (
+    CameraAsked,
+    CameraMoved,
+    CameraStep,
+    CopyAsked,
+    PaperLookAsked,
+    RangeAsked,
+    ViewRestartAsked,
+)
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.window.commands.command import Command, asking
 
@@ -28,6 +36,7 @@ SHOWN = {
     "surface_box": "Box of the sur&face",
     "axes": "&Axes",
     "colour_bar": "Colo&ur bar",
+    "triad": "Axes in the &corner",
 }
 """What can be switched off, by its field of DisplaySettings."""
 
@@ -47,6 +56,7 @@ CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
         {
             "facets": ("&Facets", None),
             "smooth": ("&Smooth shading", None),
+            "clay": ("&Clay, light alone", None),
             "wireframe": ("&Wireframe", None),
             "points": ("&Points", None),
         },
@@ -210,6 +220,15 @@ def _camera_commands() -> list[Command]:
 
 def _view_commands() -> list[Command]:
     return [
+        Command(
+            "paper_look",
+            "Paper loo&k",
+            asking(PaperLookAsked()),
+            "&View",
+            "Ctrl+Shift+L",
+            "Facets in MATLAB's jet from azimuth 36, elevation 64 degrees, as in the paper's figures",
+            begins_part=True,
+        ),
         Command(
             "copy_picture",
             "Copy p&icture",

@@ -59,7 +59,7 @@ def test_every_point_has_the_colour_of_its_value(
     image, (low, high) = view.image(), view.picture().colouring.limits
     diverging = by != "distance"
     assert (low == -high) == diverging
-    table = colour_table(DIVERGING if diverging else ColourMap.JET).astype(int)
+    table = colour_table(DIVERGING if diverging else ColourMap.CIVIDIS).astype(int)
     surface, cell = Evaluation(document).patch, np.linspace(-1 / 30, 1 / 30, 3)
     for u in np.linspace(0.13, 0.87, 5):
         for v in np.linspace(0.11, 0.89, 5):
@@ -108,7 +108,7 @@ def test_arrows_tell_that_values_lie_beyond(make_view, document, renderer, colou
         image = view.image()
         ends[name] = [colour_at(image, rect.center().x(), y) for y in (rect.bottom() + 5, rect.top() - 5)]
     assert ends["all"] == [ground, ground]
-    table = colour_table(ColourMap.JET)
+    table = colour_table(ColourMap.CIVIDIS)
     for seen_there, entry in zip(ends["less"], (0, 255), strict=True):
         assert np.abs(np.array(seen_there) - table[entry].astype(int)).max() <= 8
 
