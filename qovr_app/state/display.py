@@ -104,8 +104,9 @@ class DisplaySettings:
     """Everything a user can choose about the picture, apart from the camera; ``replace`` makes the next
     one.
 
-    ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera. ``always_fits``
-    lets axes and colours follow every edit, not only another document, formulation or layer.
+    ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera. ``shares_range``
+    lets a colour mean the same in both layers where both are shown. ``always_fits`` lets axes and colours follow every
+    edit, not only another document, formulation or layer.
     """
 
     layer: LayerChoice = LayerChoice.TRANSFORMED
@@ -130,6 +131,8 @@ class DisplaySettings:
     axes: bool = True
     colour_bar: bool = True
     triad: bool = True
+    legend: bool = True
+    shares_range: bool = False
     probe: bool = False
     always_fits: bool = False
     mouse: MouseScheme = MouseScheme.BLENDER

@@ -25,18 +25,28 @@ _LEAST_GAP, _LEAST_LINES = 8.0, 32
 
 COMPARISON_WIDTH = 1.2
 _NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
+_NET = "Control net"
 _HIDDEN = 0.3
 """Opacity of what the surface hides."""
 
 
 @dataclass(frozen=True, eq=False)
 class Lines:
-    """Polylines (k, n, 3) of the unit space that look alike; every ``straight`` pieces lie on one line."""
+    """Polylines (k, n, 3) of the unit space that look alike; every ``straight`` pieces lie on one line.
+
+    ``name`` says in a legend what they are; the letters after ``_`` are a subscript.
+    """
 
     points: Array
     colour: Rgb
     width: float
     straight: int = 1
+    name: str = ""
+
+    @property
+    def needs_name(self) -> bool:
+        """Whether nobody who sees them knows what they are, as of the control net."""
+        return self.name not in ("", _NET)
 
 
 def lines_of(picture: Picture, size: Size) -> list[Lines]:
@@ -45,20 +55,20 @@ def lines_of(picture: Picture, size: Size) -> list[Lines]:
     found = []
     if settings.control_box:
         edges = _box_edges(scene.frame, scene.control_box)
-        found.append(Lines(edges, theme.accent, _BOX_WIDTH, _PIECES))
+        found.append(Lines(edges, theme.series[4], _BOX_WIDTH, _PIECES, "Box of the points"))
     if settings.surface_box:
         edges = _box_edges(scene.frame, scene.surface_box)
-        found.append(Lines(edges, theme.axis, _BOX_WIDTH, _PIECES))
+        found.append(Lines(edges, theme.axis, _BOX_WIDTH, _PIECES, "Box of the surface"))
     if settings.control_net:
         for net in _net_lines(picture, size):
             pieces = max(1, min(_PIECES, _LINE_PIECES // (net.shape[1] - 1)))
-            found.append(Lines(_divided(net, pieces), theme.net, _NET_WIDTH, pieces))
+            found.append(Lines(_divided(net, pieces), theme.net, _NET_WIDTH, pieces, _NET))
     if settings.row_curves:
-        found.append(Lines(scene.row_curves, theme.row_curve, _CURVE_WIDTH))
+        found.append(Lines(scene.row_curves, theme.row_curve, _CURVE_WIDTH, name="C_i(u)"))
     if settings.column_curves:
-        found.append(Lines(scene.column_curves, theme.column_curve, _CURVE_WIDTH))
+        found.append(Lines(scene.column_curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
     if len(scene.lines):
-        found.append(Lines(scene.lines, theme.comparison, COMPARISON_WIDTH))
+        found.append(Lines(scene.lines, theme.comparison, COMPARISON_WIDTH, name=scene.lines_name))
     return found
 
 

@@ -11,6 +11,7 @@ from PySide6.QtGui import QColor, QPainter, QPen
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.painter.colour_bar import bar_room
 from qovr_app.view3d.painter.discs import Disc, draw_discs
+from qovr_app.view3d.painter.legend import Room
 from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.net_marks import OTHER, covers, flags_of, gaps, is_within, levels, ranks, with_room
@@ -72,8 +73,17 @@ def _radius(seen: Array) -> float:
     return round(min(POINT_RADIUS, max(_LEAST_RADIUS, _PART_OF_GAP * max(gaps(seen)))), 1)
 
 
-def draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: Flags, size: Size) -> None:
-    """Name the points that are visible, hovered or selected, as far as the names have room."""
+def draw_labels(
+    painter: QPainter, picture: Picture, points: tuple[Array, Flags], size: Size, legend: Room | None
+) -> None:
+    """Name the points that are visible, hovered or selected, as far as the names have room.
+
+    Parameters
+    ----------
+    points : their pixels (k, l, 2), and which are hidden, (k, l)
+    legend : where it lies
+    """
+    seen, hidden = points
     theme, rank, (rows, columns) = picture.theme, ranks(picture), hidden.shape
     wanted = (rank != OTHER) | ~hidden
     i, j = np.nonzero(wanted & is_within(seen, size))
@@ -83,7 +93,7 @@ def draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
     i, j = i[order], j[order]
     width, height = text_size(_name(rows - 1, columns - 1), SMALL)
     corners = seen[i, j] + _LABEL_OFFSET - [0.0, _LABEL_RISE * height]
-    taken = np.array(_taken(picture, size))
+    taken = np.array([*_taken(picture, size), *([legend] if legend else [])])
     turns = covers(corners, (width, height), taken)
     corners[turns, 0] -= width + 2 * _LABEL_OFFSET[0]
     more = float(np.clip(_CROWDED * width / max(*gaps(seen), _LEAST_RADIUS), 1.0, _MOST_ROOM))
@@ -96,9 +106,9 @@ def draw_labels(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
         draw_text(painter, _name(i[number], j[number]), at, (0, 0), ink, halo=theme.rim, opacity=opacity)
 
 
-def _taken(picture: Picture, size: Size) -> list[tuple[float, float, float, float]]:
+def _taken(picture: Picture, size: Size) -> list[Room]:
     """Return what no name may cover, by left, top, right and bottom: what is beside the viewport, colour bar, triad."""
-    taken = [(size[0], 0.0, math.inf, size[1])]
+    taken: list[Room] = [(size[0], 0.0, math.inf, size[1])]
     taken += [bar_room(size)] if has_colour_bar(picture.settings, size) else []
     if picture.hand is not None and has_triad(picture.settings, size):
         x, y = triad_centre(size)

@@ -6,25 +6,21 @@ drawn dim, so that it can still be seen and picked.
 
 from __future__ import annotations
 
-from PySide6.QtCore import QLineF
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QPainter
 
 from qovr_app.view3d.painter.colour_bar import draw_colour_bar
 from qovr_app.view3d.painter.hand import draw_hand
-from qovr_app.view3d.painter.lines import COMPARISON_WIDTH, draw_lines, lines_of
+from qovr_app.view3d.painter.legend import draw_legend, legend_room
+from qovr_app.view3d.painter.lines import draw_lines, lines_of
 from qovr_app.view3d.painter.net_points import draw_labels, draw_points
 from qovr_app.view3d.painter.note import draw_hint, draw_note
 from qovr_app.view3d.painter.readout import draw_readout
-from qovr_app.view3d.painter.text import NORMAL, draw_text, plain, text_size
 from qovr_app.view3d.painter.triad import draw_triad
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.occlusion import hidden_among
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
 
 LEAVES_FRAME = "Something lies outside the axes: F fits"
-
-_LEGEND, _LEGEND_LINE, _LEGEND_GAP = (14.0, 20.0), 22.0, 20.0
-"""Where the legend of a surface drawn over another begins without a caption, its line, and its distance from one."""
 
 
 def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
@@ -39,7 +35,8 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
     if settings.control_points:
         draw_points(painter, picture, places[-1], flags[-1], size)
     if settings.labels:
-        draw_labels(painter, picture, places[-1], flags[-1], size)
+        draw_labels(painter, picture, (places[-1], flags[-1]), size, legend_room(picture, families, size))
+    draw_legend(painter, picture, families, size)
     draw_triad(painter, picture, size)
     draw_hand(painter, picture, size)
     _draw_words(painter, picture, size)
@@ -48,8 +45,6 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
 def _draw_words(painter: QPainter, picture: Picture, size: Size) -> None:
     """Draw what says in words and numbers what is seen."""
     settings = picture.settings
-    if picture.scene.lines_name:
-        _draw_legend(painter, picture)
     if has_colour_bar(settings, size):
         draw_colour_bar(painter, picture, size)
     if settings.surface and picture.colouring.note:
@@ -58,14 +53,3 @@ def _draw_words(painter: QPainter, picture: Picture, size: Size) -> None:
         draw_hint(painter, LEAVES_FRAME, picture.theme, size)
     if picture.probed is not None:
         draw_readout(painter, picture, picture.probed, size)
-
-
-def _draw_legend(painter: QPainter, picture: Picture) -> None:
-    """Say whose lines lie over the surface."""
-    theme, (x, y) = picture.theme, _LEGEND
-    if picture.caption:
-        x += text_size(plain(picture.caption), NORMAL)[0] + _LEGEND_GAP
-    painter.setPen(QPen(QColor(*theme.comparison), 2 * COMPARISON_WIDTH))
-    painter.drawLine(QLineF(x, y, x + _LEGEND_LINE, y))
-    text = plain(picture.scene.lines_name)
-    draw_text(painter, text, (x + _LEGEND_LINE + 7, y), (0, 0.5), theme.ink, pixels=NORMAL, halo=theme.rim)

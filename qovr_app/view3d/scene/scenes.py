@@ -78,6 +78,10 @@ class Scenes:
             number = self._scenes.index(own)
             self._scenes[number], *beside = compared(own, self._other)
             self._scenes += beside
+        layers = [scene for scene in self._scenes if not scene.is_comparison]
+        if self._shown.settings.shares_range:
+            for scene in layers:
+                scene.peers.extend(other for other in layers if other is not scene and other not in scene.peers)
 
 
 def _begins_anew(before: Shown, shown: Shown) -> bool:
@@ -88,6 +92,7 @@ def _begins_anew(before: Shown, shown: Shown) -> bool:
         or before.formulation is not shown.formulation
         or before.settings.layer is not shown.settings.layer
         or before.settings.scaling is not shown.settings.scaling
+        or before.settings.shares_range is not shown.settings.shares_range
         or before.comparison != shown.comparison
         or (shown.settings.always_fits and not shown.dragging and _may_leave(before, shown))
     )

@@ -9,16 +9,15 @@ from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import (
-    CameraAsked,
-    CameraMoved,
-    CameraStep,
     CopyAsked,
     PaperLookAsked,
     RangeAsked,
     ViewRestartAsked,
 )
 from qovr_app.view3d.scene.patterns import colour_sources
+from qovr_app.window.commands.cameras import camera_commands
 from qovr_app.window.commands.command import Command, asking
+from qovr_app.window.commands.switches import is_on, switching
 
 _BEGIN_PARTS = {"scaling_each"}
 """Choices before which the menu has a line."""
@@ -37,6 +36,7 @@ SHOWN = {
     "axes": "&Axes",
     "colour_bar": "Colo&ur bar",
     "triad": "Axes in the &corner",
+    "legend": "&Legend",
 }
 """What can be switched off, by its field of DisplaySettings."""
 
@@ -101,28 +101,10 @@ _TIPS = {
     "colour_range_fixed": "The colours end at two values of your own",
 }
 
-CAMERAS: dict[str, tuple[str, str | None, str]] = {
-    "paper": ("&Paper's view", "Ctrl+1", "Azimuth 36, elevation 64 degrees, as in the paper's figures"),
-    "top": ("&Top", "Ctrl+2", "From above, as the paper's Figures 7 and 8b"),
-    "bottom": ("&Bottom", None, "From below"),
-    "front": ("Fr&ont", "Ctrl+3", "Along the y axis"),
-    "rear": ("R&ear", None, "Against the y axis"),
-    "left": ("&Left", None, "Along the x axis, from its low end"),
-    "right": ("R&ight", "Ctrl+4", "Along the x axis"),
-    "isometric": ("Iso&metric", None, "All three axes at equal angles"),
-}
-
-
-_CAMERA_MOVES: dict[str, tuple[CameraStep, str, str | None, str]] = {
-    "fit_selection": (CameraStep.SELECTION, "Fit the &selection", "Shift+F", "Look at the selected points from near"),
-    "camera_back": (CameraStep.BACK, "B&ack", "Ctrl+[", "Look from where you looked before"),
-    "camera_forward": (CameraStep.FORWARD, "Forwar&d", "Ctrl+]", "Look from where you looked before going back"),
-}
-
 
 def view_commands() -> tuple[Command, ...]:
     """Return the commands that change display settings and camera."""
-    return (*_choice_commands(), *_switch_commands(), *_camera_commands(), *_view_commands())
+    return (*_choice_commands(), *_switch_commands(), *camera_commands(), *_view_commands())
 
 
 def _choice_commands() -> list[Command]:
@@ -164,58 +146,29 @@ def _is_chosen(setting: str, value: str) -> Callable[[EditorState], bool]:
 
 def _switch_commands() -> list[Command]:
     shown = [
-        Command(f"show_{setting}", text, _switching(setting), "&View/&Show", is_checked=_is_on(setting))
+        Command(f"show_{setting}", text, switching(setting), "&View/&Show", is_checked=is_on(setting))
         for setting, text in SHOWN.items()
     ]
     probe = Command(
         "probe",
         "Prob&e",
-        _switching("probe"),
+        switching("probe"),
         "&View",
         "F8",
         "Read off the point of the surface under the mouse: place, normal, curvatures, distance",
-        is_checked=_is_on("probe"),
+        is_checked=is_on("probe"),
         begins_part=True,
     )
-    return [*shown, probe]
-
-
-def _switching(setting: str) -> Callable[[EditorState], Intent]:
-    return lambda state: DisplayChosen(setting, not getattr(state.display, setting))
-
-
-def _is_on(setting: str) -> Callable[[EditorState], bool]:
-    return lambda state: bool(getattr(state.display, setting))
-
-
-def _camera_commands() -> list[Command]:
-    menu = "&View/Ca&mera"
-    fit = Command("fit", "&Fit", asking(CameraAsked("")), menu, "F", "Show the whole surface and net")
-    named = [
-        Command(
-            f"camera_{name}",
-            text,
-            asking(CameraAsked(name)),
-            menu,
-            shortcut,
-            tip,
-            begins_part=name == next(iter(CAMERAS)),
-        )
-        for name, (text, shortcut, tip) in CAMERAS.items()
-    ]
-    moves = [
-        Command(name, text, asking(CameraMoved(step)), menu, shortcut, tip, begins_part=name == "fit_selection")
-        for name, (step, text, shortcut, tip) in _CAMERA_MOVES.items()
-    ]
-    follow = Command(
-        "always_fits",
-        "Al&ways fit",
-        _switching("always_fits"),
-        menu,
-        tip="Let axes and colours follow every edit, not only another document, formulation or layer",
-        is_checked=_is_on("always_fits"),
+    shared = Command(
+        "shares_range",
+        "One range in &both",
+        switching("shares_range"),
+        "&View/Colour ra&nge",
+        tip="Where both layers are shown, a colour means the same in both",
+        is_checked=is_on("shares_range"),
+        begins_part=True,
     )
-    return [fit, follow, *named, *moves]
+    return [*shown, shared, probe]
 
 
 def _view_commands() -> list[Command]:
