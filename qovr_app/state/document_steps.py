@@ -124,6 +124,7 @@ def opened(state: EditorState, intent: intents.Opened) -> EditorState:
     history = History(intent.document, saved=0 if intent.is_saved else None)
     file = DocumentFile(intent.title, intent.path, intent.stamp, intent.stamp, intent.preset, state.file.opening + 1)
     state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=None)
+    state = replace(state, put_away=frozenset())
     state = with_message(state, intent.message) if intent.message else state
     # Where the planes of symmetry stand is meant for one document.
     state = replace(state, tools=replace(state.tools, mirror_rows=ROWS_MIRROR, mirror_columns=COLUMNS_MIRROR))

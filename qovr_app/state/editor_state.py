@@ -123,6 +123,7 @@ class EditorState:
     links : what shares a knot that is edited
     window : the window (a, b) of the net through which the zones read
     selection : the selected control points
+    put_away : those that are shown only while they are selected
     fields : of every zone the field that had the keyboard last, the latest of them last
     knot : the knot whose field had the keyboard last
     knot_came_last : whether that was after the last point was selected
@@ -148,6 +149,7 @@ class EditorState:
     links: Links = field(default_factory=Links)
     window: Window = (0, 0)
     selection: Selection = Selection()
+    put_away: frozenset[NetIndex] = frozenset()
     fields: Mapping[Zone, Place] = field(default_factory=dict)
     knot: KnotPlace | None = None
     knot_came_last: bool = True

@@ -28,6 +28,13 @@ class Selected(Intent):
 
 
 @dataclass(frozen=True)
+class PointsPutAway(Intent):
+    """These control points, and no others, are not shown until they are selected."""
+
+    indices: tuple[NetIndex, ...]
+
+
+@dataclass(frozen=True)
 class FieldFocused(Intent):
     """The field at a place has the keyboard now."""
 

@@ -32,6 +32,17 @@ def selected(state: EditorState, intent: looking_intents.Selected) -> EditorStat
     return with_message(state, "P {},{}.  {}".format(*latest, DRAG_HINT))
 
 
+def points_put_away(state: EditorState, intent: looking_intents.PointsPutAway) -> EditorState:
+    check_points(state.document, intent.indices)
+    put_away = frozenset(intent.indices)
+    kept = tuple(index for index in state.selection.indices if index not in put_away)
+    state = replace(state, put_away=put_away, selection=Selection(kept[0] if kept else None, frozenset(kept)))
+    if not put_away:
+        return with_message(state, "All points are shown.")
+    what = "1 point is" if len(put_away) == 1 else f"{len(put_away)} points are"
+    return with_message(state, f"{what} hidden: Points, Hide, Show all (Ctrl+Alt+H) brings all back.")
+
+
 def field_focused(state: EditorState, intent: looking_intents.FieldFocused) -> EditorState:
     place = intent.place
     others = {zone: other for zone, other in state.fields.items() if zone is not zone_of(place)}

@@ -49,6 +49,7 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     intents.Reloaded: document_steps.reloaded,
     intents.OutsideKept: document_steps.outside_kept,
     looking_intents.Selected: looking_steps.selected,
+    looking_intents.PointsPutAway: looking_steps.points_put_away,
     looking_intents.FieldFocused: looking_steps.field_focused,
     looking_intents.DisplayChosen: looking_steps.display_chosen,
     looking_intents.PaperLookChosen: looking_steps.paper_look_chosen,

@@ -17,7 +17,8 @@ _COMMANDS = {
     MenuPlace.KNOT: ("link_curves", "link_directions", "", "show_knot_handles"),
     MenuPlace.POINT: (
         "select_all", "select_none", "", "flatten_height", "flatten_plane", "align_z", "smooth_points", "",
-        "symmetry_rows", "symmetry_columns", "soft", "xray", "", "fit_selection",
+        "symmetry_rows", "symmetry_columns", "soft", "xray", "", "hide_points", "isolate_points",
+        "show_points", "", "fit_selection",
     ),
     MenuPlace.NET_LINE: (
         "show_control_net", "show_row_curves", "show_column_curves", "show_knot_handles", "", "fit_selection",

@@ -227,6 +227,7 @@ def shown_of(state: EditorState) -> Shown:
         last_selected=state.selection.last,
         pending=points_that_differ(state.document, state.pending) if state.has_pending else frozenset(),
         refused=refused_points(state.texts),
+        put_away=state.put_away - state.selection.points if state.put_away else frozenset(),
         reference=reference.surface if reference else None,
         reference_name=reference.name if reference else "",
         knot=state.knot,

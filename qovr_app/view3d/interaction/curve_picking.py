@@ -22,7 +22,8 @@ def curve_under(picture: Picture, size: Size, x: float, y: float) -> KnotPlace |
     settings, scene, at = picture.settings, picture.scene, np.array([x, y])
     families: list[tuple[Direction, Array]] = []
     if settings.control_net and settings.control_points:
-        families += [(Direction.ROWS, scene.points), (Direction.COLUMNS, scene.points.transpose(1, 0, 2))]
+        points = picture.net_points
+        families += [(Direction.ROWS, points), (Direction.COLUMNS, points.transpose(1, 0, 2))]
     if settings.row_curves:
         families.append((Direction.ROWS, scene.row_curves))
     if settings.column_curves:

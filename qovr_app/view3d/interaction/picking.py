@@ -10,7 +10,8 @@ from qovr_app.view3d.scene.gizmo import gizmo_at
 from qovr_app.view3d.scene.grip import Freedom
 from qovr_app.view3d.scene.hand import MenuPlace, MenuWish
 from qovr_app.view3d.scene.knot_handles import KnotHandle
-from qovr_app.view3d.scene.net_marks import Numbers, flags_of
+from qovr_app.view3d.scene.net_flags import flags_of
+from qovr_app.view3d.scene.net_marks import Numbers
 from qovr_app.view3d.scene.occlusion import hidden_by
 from qovr_app.view3d.scene.picture import Picture, is_in_colour_bar
 from qovr_core.arrays import Flags
@@ -33,10 +34,9 @@ def points_under(picture: Picture, size: Size, x: float, y: float) -> list[NetIn
     """
     if not picture.settings.control_points:
         return []
-    points = picture.scene.points
-    seen = picture.camera.project(points.reshape(-1, 3), size)
+    seen = picture.camera.project(picture.net_points.reshape(-1, 3), size)
     away = np.hypot(seen[:, 0] - x, seen[:, 1] - y)
-    near = np.flatnonzero(away <= PICK_RADIUS)  # points behind the eye are NaN, and near to nothing
+    near = np.flatnonzero(away <= PICK_RADIUS)  # points behind the eye or put away are NaN, and near to nothing
     near = near[np.lexsort((seen[near, 2], np.floor(away[near] / _SAME_PLACE)))]
     selected = flags_of(picture.selected, picture.scene.net_shape).ravel()[near]
     return _indices(picture, near[selected | ~_hidden(picture, size, near)])
@@ -56,7 +56,7 @@ def points_within(
     if not picture.settings.control_points:
         return []
     (left, right), (top, bottom) = (sorted(ends) for ends in zip(corner, other, strict=True))
-    x, y, _ = picture.camera.project(picture.scene.points.reshape(-1, 3), size).T
+    x, y, _ = picture.camera.project(picture.net_points.reshape(-1, 3), size).T
     within = np.flatnonzero((x >= left) & (x <= right) & (y >= top) & (y <= bottom))
     return _indices(picture, within[~_hidden(picture, size, within)])
 

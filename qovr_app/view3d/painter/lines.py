@@ -25,6 +25,9 @@ _LEAST_GAP, _LEAST_LINES = 8.0, 32
 
 COMPARISON_WIDTH = 1.2
 _NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
+_GONE = 2
+"""What a piece of a line is that cannot be drawn, beside dim, 1, and not, 0."""
+
 _NET = "Control net"
 _HIDDEN = 0.3
 """Opacity of what the surface hides."""
@@ -64,20 +67,26 @@ def lines_of(picture: Picture, size: Size) -> list[Lines]:
             pieces = max(1, min(_PIECES, _LINE_PIECES // (net.shape[1] - 1)))
             found.append(Lines(_divided(net, pieces), theme.net, _NET_WIDTH, pieces, _NET))
     if settings.row_curves:
-        found.append(Lines(scene.row_curves, theme.row_curve, _CURVE_WIDTH, name="C_i(u)"))
+        found.append(
+            Lines(scene.row_curves[_shown_rows(picture.net_points)], theme.row_curve, _CURVE_WIDTH, name="C_i(u)")
+        )
     if settings.column_curves:
-        found.append(Lines(scene.column_curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
+        curves = scene.column_curves[_shown_rows(picture.net_points.transpose(1, 0, 2))]
+        found.append(Lines(curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
     if len(scene.lines):
         found.append(Lines(scene.lines, theme.comparison, COMPARISON_WIDTH, name=scene.lines_name))
     return found
 
 
 def draw_lines(painter: QPainter, lines: Lines, seen: Array, hidden: Flags) -> None:
-    """Draw polylines at pixels (k, n, 2), dim where both ends of a piece are hidden, (k, n)."""
-    whole = np.isfinite(seen).all(axis=(1, 2))
-    seen, dim = seen[whole], (hidden[:, :-1] & hidden[:, 1:])[whole]
-    ends = np.ones((*dim.shape[:1], dim.shape[1] + 1), dtype=bool)
-    ends[:, 1:-1] = dim[:, 1:] != dim[:, :-1]
+    """Draw polylines at pixels (k, n, 2), dim where both ends of a piece are hidden, (k, n).
+
+    Pieces of which an end is no number are left out.
+    """
+    is_there: Flags = np.isfinite(seen[..., 0])
+    kinds = np.where(is_there[:, :-1] & is_there[:, 1:], hidden[:, :-1] & hidden[:, 1:], _GONE)
+    ends = np.ones((len(kinds), kinds.shape[1] + 1), dtype=bool)
+    ends[:, 1:-1] = kinds[:, 1:] != kinds[:, :-1]
     if lines.straight > 1:
         ends[:, :: lines.straight] = True
     for is_dim in (True, False):
@@ -87,9 +96,9 @@ def draw_lines(painter: QPainter, lines: Lines, seen: Array, hidden: Flags) -> N
             QPen(ink, lines.width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
         )
         straight = []
-        for line, stops, dims in zip(seen.tolist(), ends, dim.tolist(), strict=True):
+        for line, stops, kind in zip(seen.tolist(), ends, kinds.tolist(), strict=True):
             for start, stop in itertools.pairwise(np.flatnonzero(stops).tolist()):
-                if dims[start] != is_dim:
+                if kind[start] != is_dim:
                     continue
                 if lines.straight > 1:
                     straight.append(QLineF(*line[start], *line[stop]))
@@ -103,18 +112,24 @@ def _divided(corners: Array, count: int = _PIECES) -> Array:
     """Return polylines (k, n, 3) with every straight piece cut into so many."""
     part = np.arange(count)[:, None] / count
     starts, ends = corners[:, :-1, None], corners[:, 1:, None]
-    pieces = (starts + (ends - starts) * part).reshape(len(corners), -1, 3)
-    return np.concatenate([pieces, corners[:, -1:]], axis=1)
+    pieces = starts + (ends - starts) * part
+    pieces[:, :, :1] = starts  # also where the end is not shown, and no number
+    return np.concatenate([pieces.reshape(len(corners), -1, 3), corners[:, -1:]], axis=1)
 
 
 def _net_lines(picture: Picture, size: Size) -> list[Array]:
     """Return rows and columns of the net (k, l, 3) as polylines: in one array where they are equally long."""
-    points = picture.scene.points
+    points = picture.net_points
     rows, columns = points, points.transpose(1, 0, 2)
     if max(points.shape) > _LEAST_LINES:
         across, along = gaps(picture.camera.project(points, size))
         rows, columns = _some(rows, along), _some(columns, across)
     return [np.concatenate([rows, columns])] if rows.shape[1:] == columns.shape[1:] else [rows, columns]
+
+
+def _shown_rows(net: Array) -> Flags:
+    """Return in which rows of a net (k, l, 3) some point is shown, (k,)."""
+    return np.array(np.isfinite(net[..., 0]).any(axis=1))
 
 
 def _some(lines: Array, gap: float) -> Array:

@@ -14,7 +14,8 @@ from qovr_app.view3d.painter.discs import Disc, draw_discs
 from qovr_app.view3d.painter.legend import Room
 from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.net_marks import OTHER, covers, flags_of, gaps, is_within, levels, ranks, with_room
+from qovr_app.view3d.scene.net_flags import flags_of
+from qovr_app.view3d.scene.net_marks import OTHER, covers, gaps, is_within, levels, ranks, with_room
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
 from qovr_app.view3d.scene.triad import REACH, has_triad, triad_centre
 from qovr_core.arrays import Array, Flags

@@ -26,7 +26,7 @@ LEAVES_FRAME = "Something lies outside the axes: F fits"
 def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
     """Draw everything that lies over the surface; the painter's units are logical pixels."""
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    families, points, settings = lines_of(picture, size), picture.scene.points, picture.settings
+    families, points, settings = lines_of(picture, size), picture.net_points, picture.settings
     marks = [*(lines.points for lines in families), points]
     flags = hidden_among(picture, marks, size)
     places = [picture.camera.project(part, size)[..., :2] for part in marks]

@@ -8,9 +8,9 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, Flags, read_only
-from qovr_core.document import NetIndex
 
 Numbers = npt.NDArray[np.intp]
 
@@ -39,21 +39,6 @@ def is_within(seen: Array, size: Size) -> Flags:
     x, y = seen[..., 0], seen[..., 1]
     within: Flags = (x >= 0) & (x <= size[0]) & (y >= 0) & (y <= size[1])
     return within
-
-
-def flags_of(points: frozenset[NetIndex], shape: tuple[int, int]) -> Flags:
-    """Return which points of a net are among these, (rows, columns) bool, read-only; what the net has not is left."""
-    return _flags_of(points, shape)
-
-
-@lru_cache(maxsize=8)
-def _flags_of(points: frozenset[NetIndex], shape: tuple[int, int]) -> Flags:
-    flags = np.zeros(shape, dtype=bool)
-    if points:
-        i, j = np.array(list(points)).T
-        is_in = (i < shape[0]) & (j < shape[1])
-        flags[i[is_in], j[is_in]] = True
-    return read_only(flags)
 
 
 def ranks(picture: Picture) -> Numbers:

@@ -15,9 +15,11 @@ from qovr_app.view3d.scene.colouring import Colouring, colouring_of
 from qovr_app.view3d.scene.hand import Hand
 from qovr_app.view3d.scene.knot_handles import CurveInHand, KnotHandle, handles_of
 from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
+from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_app.view3d.scene.probing import Parameters
 from qovr_app.view3d.scene.scene import Scene
+from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 
 _BAR_ROOM = 104.0
@@ -40,6 +42,7 @@ class Picture:
     Parameters
     ----------
     selected, last_selected, hovered, pending, refused : control points that are marked
+    put_away : control points that are not shown
     moving : draw on a coarser grid, because the next frame is near
     probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing
@@ -56,6 +59,7 @@ class Picture:
     hovered: NetIndex | None = None
     pending: frozenset[NetIndex] = frozenset()
     refused: frozenset[NetIndex] = frozenset()
+    put_away: frozenset[NetIndex] = frozenset()
     moving: bool = False
     probed: Parameters | None = None
     caption: str = ""
@@ -79,6 +83,14 @@ class Picture:
         if self.hand is None or self.curve is None or not self.settings.knot_handles or self.scene.is_comparison:
             return []
         return handles_of(self.curve, self.scene.document.control_points, self.scene.frame)
+
+    @property
+    def net_points(self) -> Array:
+        """The control points in the unit space, (k, l, 3); not numbers where one is put away."""
+        points = self.scene.points
+        if not self.put_away:
+            return points
+        return np.where(flags_of(self.put_away, self.scene.net_shape)[..., None], np.nan, points)
 
     @property
     def leaves_frame(self) -> bool:

@@ -16,7 +16,7 @@ from qovr_core.fields import FIELDS
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import KnotPlace
 
-_MARKS = ("selected", "last_selected", "pending", "refused", "curve")
+_MARKS = ("selected", "last_selected", "pending", "refused", "put_away", "curve")
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,6 +32,7 @@ class Shown:
     selected : the control points that are marked
     last_selected : the one of them that was picked last; None where none is
     pending, refused : the control points over which something is typed that is not set, and that cannot be
+    put_away : the control points that are not shown
     reference : a surface in the document's units, from which distances are taken; None without one
     reference_name : what to call it
     knot : the knot to which the sensitivity is shown; None without one
@@ -49,6 +50,7 @@ class Shown:
     last_selected: NetIndex | None = None
     pending: frozenset[NetIndex] = frozenset()
     refused: frozenset[NetIndex] = frozenset()
+    put_away: frozenset[NetIndex] = frozenset()
     reference: ParametricSurface | None = None
     reference_name: str = ""
     knot: KnotPlace | None = None

@@ -159,7 +159,7 @@ def _has_selection(state: EditorState) -> bool:
 
 def _all(state: EditorState) -> set[NetIndex]:
     rows, columns, _ = state.document.control_points.shape
-    return set(product(range(rows), range(columns)))
+    return set(product(range(rows), range(columns))) - state.put_away
 
 
 def _picking(state: EditorState, points: Collection[NetIndex]) -> Intent:

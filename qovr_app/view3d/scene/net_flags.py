@@ -1,0 +1,25 @@
+"""Sets of control points as arrays of flags."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+from qovr_core.arrays import Flags, read_only
+from qovr_core.document import NetIndex
+
+
+def flags_of(points: frozenset[NetIndex], shape: tuple[int, int]) -> Flags:
+    """Return which points of a net are among these, (rows, columns) bool, read-only; what the net has not is left."""
+    return _flags_of(points, shape)
+
+
+@lru_cache(maxsize=8)
+def _flags_of(points: frozenset[NetIndex], shape: tuple[int, int]) -> Flags:
+    flags = np.zeros(shape, dtype=bool)
+    if points:
+        i, j = np.array(list(points)).T
+        is_in = (i < shape[0]) & (j < shape[1])
+        flags[i[is_in], j[is_in]] = True
+    return read_only(flags)
