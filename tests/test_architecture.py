@@ -51,7 +51,7 @@ FLOORS = {
         "scene failures",
         "interaction gl painter figure viewport",
         "gl_viewport painter_viewport",
-        "viewports images",
+        "viewports images words",
         "view",
     ),
 }

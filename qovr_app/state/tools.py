@@ -35,6 +35,7 @@ class ToolSettings:
     soft, soft_radius : whether moves fade out over the points around, and after how many steps along the net
     symmetry_rows, symmetry_columns : whether moves are mirrored across the rows' middle, and the columns'
     mirror_rows, mirror_columns : in which planes
+    measures : whether a click measures, and changes nothing
     xray : whether points behind the surface can be picked
     """
 
@@ -48,6 +49,7 @@ class ToolSettings:
     symmetry_columns: bool = False
     mirror_rows: Mirror = ROWS_MIRROR
     mirror_columns: Mirror = COLUMNS_MIRROR
+    measures: bool = False
     xray: bool = False
 
     @property

@@ -3,7 +3,6 @@ else."""
 
 from __future__ import annotations
 
-import math
 from pathlib import Path
 
 import numpy as np
@@ -19,15 +18,14 @@ from qovr_app.view3d.interaction.camera_motion import CameraMotion
 from qovr_app.view3d.interaction.interactor import Interactor
 from qovr_app.view3d.interaction.pointer import Pointer
 from qovr_app.view3d.interaction.refinement import Refinement
-from qovr_app.view3d.painter.readout import readout_text
 from qovr_app.view3d.scene.camera import Camera, fitted, looking_at, named_view
 from qovr_app.view3d.scene.frame import HALF_EXTENTS
 from qovr_app.view3d.scene.picture import Picture, margins
-from qovr_app.view3d.scene.probing import reading_at
 from qovr_app.view3d.scene.scenes import Scenes
 from qovr_app.view3d.scene.shown import Shown
 from qovr_app.view3d.viewport import Viewport
 from qovr_app.view3d.viewports import Viewports
+from qovr_app.view3d.words import colour_words, probe_words
 from qovr_app.work.gui_calls import here
 from qovr_core.fields import Range
 from qovr_core.files.progress import silent
@@ -75,6 +73,7 @@ class View3D(QWidget):
         self.camera_motion.moved.connect(self._refinement.move)
         self._pointer = Pointer(self.picture, self)
         self._pointer.moved.connect(self._show)
+        self._pointer.view_asked.connect(self.set_camera)
         self._viewports = Viewports(self, self.picture)
         self._viewports.interactor_made.connect(self._listen)
         self._viewports.painted.connect(self.frame_painted)
@@ -123,6 +122,7 @@ class View3D(QWidget):
             caption=scene.caption if shown.viewports > 1 else "",
             tools=shown.tools,
             hand=self._viewports.hand(viewport),
+            spots=self._pointer.spots,
             **shown.marks,
         )
 
@@ -131,6 +131,8 @@ class View3D(QWidget):
         before, self._shown = self._shown, shown
         if not shown.dragging and before.net is not shown.net:
             self._viewports.drop_drags()  # what is pressed there is no longer what it was
+        if before.opening != shown.opening:
+            self._pointer.forget()
         self._scenes.update(shown)
         if before.viewports != shown.viewports:
             self._viewports.arrange(shown.viewports)
@@ -143,18 +145,11 @@ class View3D(QWidget):
 
     def probe_text(self) -> str:
         """Return what the probe says, for the clipboard; empty where it is off or meets no surface."""
-        if self._pointer.reading is None:
-            return ""
-        viewport, parameters = self._pointer.reading
-        scene = self._scenes.scene(viewport)
-        return "" if scene is None else readout_text(reading_at(scene, parameters, self._shown.settings.colour_by))
+        return "" if self._pointer.reading is None else probe_words(self.picture(self._pointer.reading[0]))
 
     def shown_range(self) -> tuple[str, Range]:
         """Return what the colours say, and the values at their ends; not numbers where there are none."""
-        picture = self.picture()
-        if picture is None:
-            return "", (math.nan, math.nan)
-        return picture.colouring.title, picture.colouring.limits
+        return colour_words(self.picture())
 
     # The camera
 
@@ -235,7 +230,6 @@ class View3D(QWidget):
         interactor.radius_turned.connect(self.radius_turned)
         interactor.mouse.picked.connect(self.points_picked)
         interactor.mouse.opened.connect(self.point_opened)
-        interactor.mouse.view_asked.connect(self.set_camera)
         interactor.mouse.menu_asked.connect(self.menu_asked)
         interactor.dragger.dragged.connect(self.points_dragged)
         for dragger in (interactor.dragger, interactor.knot_dragger):

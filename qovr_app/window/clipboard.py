@@ -29,6 +29,7 @@ class Clipboard:
             "zone": self._copy_zone,
             "plane": self._copy_plane,
             "probe": self._copy_probe,
+            "measure": self._copy_measure,
             "points": self._copy_points,
             "picture": self._copy_picture,
             "citation": self._copy_citation,
@@ -95,6 +96,15 @@ class Clipboard:
             return "There is nothing under the probe (F8) to copy."
         QGuiApplication.clipboard().setText(text)
         return "Copied what the probe says"
+
+    def _copy_measure(self) -> str:
+        from qovr_app.view3d.words import measure_words
+
+        text = measure_words(self._layout.view_frame.view.picture())
+        if not text:
+            return "Nothing is measured: choose Points, Tool, Measure and click two places."
+        QGuiApplication.clipboard().setText(text)
+        return "Copied what is measured"
 
     def _copy_picture(self) -> str:
         image = self._layout.view_frame.image()

@@ -21,7 +21,9 @@ _ORGANISATION, _APPLICATION = "qovr", "QOVR Studio"
 _MOST_RECENT = 9
 """As many recent files as there are digits to choose them by."""
 
-_FORGOTTEN = ("theme", "fixed_range", "selects", "symmetry_rows", "symmetry_columns", "mirror_rows", "mirror_columns")
+_FORGOTTEN = (
+    "theme", "fixed_range", "selects", "measures", "symmetry_rows", "symmetry_columns", "mirror_rows", "mirror_columns",
+)  # fmt: skip
 """Settings that follow the system, or belong to one document, and are not remembered."""
 
 _CONVENTIONS = ("unit", "up", "csv_dialect")

@@ -9,7 +9,7 @@ from PySide6.QtCore import QEvent, QObject, QPointF, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QNativeGestureEvent, QWheelEvent
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.state.looking_intents import MessageShown, Picking
+from qovr_app.state.looking_intents import MessageShown, Picking, ToolChosen
 from qovr_app.view3d.interaction.camera_input import moved_by_gesture, moved_by_key, moved_by_wheel
 from qovr_app.view3d.interaction.dragging import PointDragger
 from qovr_app.view3d.interaction.keys import arrow_step, axis_of
@@ -204,6 +204,8 @@ class Interactor(QObject):
         if key == Qt.Key.Key_Escape:
             if self.mouse.is_held:
                 self.mouse.put_back()
+            elif picture.tools.measures:
+                self.wanted.emit(ToolChosen("measures", value=False))
             elif picture.selected or picture.curve is not None:
                 self.mouse.picked.emit((), Picking.REPLACE)
             else:

@@ -21,7 +21,7 @@ from qovr_app.view3d.interaction.picking import (
     points_under,
     points_within,
 )
-from qovr_app.view3d.interaction.press import Doing, Press, picking_of, press_on_axes
+from qovr_app.view3d.interaction.press import Doing, Press, picking_of, press_to_look
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.grip import ALONG_WAY, IN_VIEW, Freedom, along
 from qovr_app.view3d.scene.hand import Band, MenuPlace
@@ -44,7 +44,7 @@ class Mouse(QObject):
     picked : control points (i, j), the last one picked last, and what they do to the selection
     opened : the control point whose fields are wanted
     menu_asked : a MenuWish, and the place of the screen
-    view_asked : the name of a view
+    asked : the name of a view, or a Spot to measure from or to
     wanted : an intent
     changed : something else is to be drawn
     """
@@ -53,7 +53,7 @@ class Mouse(QObject):
     picked = Signal(object, object)
     opened = Signal(object)
     menu_asked = Signal(object, QPoint)
-    view_asked = Signal(str)
+    asked = Signal(object)
     wanted = Signal(object)
     changed = Signal()
 
@@ -85,7 +85,7 @@ class Mouse(QObject):
             return
         at = self._last = event.position()
         if event.button() == _LEFT:
-            self._press = press_on_axes(at, picture, size) or self._take(event, picture, size)
+            self._press = press_to_look(at, picture, size) or self._take(event, picture, size)
         else:
             motion = motion_of(picture.settings.mouse, event.button(), event.modifiers())
             self._press = Press(event.button(), at, Doing.LOOK, motion, pivot_under(picture, size, at))
@@ -93,7 +93,7 @@ class Mouse(QObject):
     def double_click(self, event: QMouseEvent, picture: Picture, size: Size) -> None:
         """Reset a knot, open the fields of a point, or select a row or column; elsewhere it is another press."""
         x, y = event.position().x(), event.position().y()
-        is_mark = gizmo_under(picture, size, x, y) or press_on_axes(event.position(), picture, size)
+        is_mark = gizmo_under(picture, size, x, y) or press_to_look(event.position(), picture, size)
         if event.button() != _LEFT or self._press is not None or is_mark:
             self.press(event, picture, size)
             return
@@ -229,8 +229,8 @@ class Mouse(QObject):
 
     def _click(self, press: Press, picture: Picture, size: Size, on_screen: QPoint) -> None:
         """Ask for a menu, select a point with the tool for it, or clear the selection."""
-        if press.view:
-            self.view_asked.emit(press.view)
+        if press.asks is not None:
+            self.asked.emit(press.asks)
         elif press.button == _RIGHT:
             wish = menu_wish(picture, size, press.at.x(), press.at.y())
             if wish.place is MenuPlace.POINT and not picture.selected.intersection(wish.points):

@@ -9,8 +9,11 @@ from PySide6.QtCore import QPointF, Qt
 
 from qovr_app.state.looking_intents import Picking
 from qovr_app.view3d.interaction.mouse_schemes import Motion
+from qovr_app.view3d.interaction.picking import points_under
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.measuring import Spot
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.probing import parameters_under
 from qovr_app.view3d.scene.triad import view_under
 from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
@@ -36,7 +39,7 @@ class Press:
     motion, pivot : how it moves the camera, and about which point (3,) of the unit space an orbit turns
     point : the control point that a click without a move means
     picking : what it does to the selection
-    view : the named view that a click without a move asks for; empty for none
+    asks : what a click without a move asks for: the name of a view, or a place to measure from or to; None for nothing
     has_moved : whether it has become a drag
     """
 
@@ -47,7 +50,7 @@ class Press:
     pivot: Array | None = None
     point: NetIndex | None = None
     picking: Picking = Picking.REPLACE
-    view: str = ""
+    asks: str | Spot | None = None
     has_moved: bool = False
 
 
@@ -58,7 +61,19 @@ def picking_of(modifiers: Qt.KeyboardModifier) -> Picking:
     return Picking.TOGGLE if modifiers & Qt.KeyboardModifier.ControlModifier else Picking.REPLACE
 
 
-def press_on_axes(at: QPointF, picture: Picture, size: Size) -> Press | None:
-    """Return what a press of the left button on the axes in the corner begins; None beside their ends."""
-    view = view_under(picture.settings, picture.camera, size, at.x(), at.y())
-    return Press(Qt.MouseButton.LeftButton, at, Doing.LOOK, Motion.ORBIT, view=view) if view else None
+def press_to_look(at: QPointF, picture: Picture, size: Size) -> Press | None:
+    """Return what a press of the left button begins that changes nothing: on the axes in the corner, or to measure."""
+    x, y = at.x(), at.y()
+    view = view_under(picture.settings, picture.camera, size, x, y)
+    if not view and not picture.tools.measures:
+        return None
+    return Press(Qt.MouseButton.LeftButton, at, Doing.LOOK, Motion.ORBIT, asks=view or _spot_under(picture, size, x, y))
+
+
+def _spot_under(picture: Picture, size: Size, x: float, y: float) -> Spot:
+    """Return what is measured from at a pixel: a control point, or the surface; nothing beside both."""
+    points = points_under(picture, size, x, y)
+    if points:
+        return Spot(index=points[0])
+    is_seen = picture.settings.surface
+    return Spot(parameters=parameters_under(picture.scene, picture.camera, size, x, y) if is_seen else None)

@@ -12,6 +12,7 @@ from qovr_app.view3d.painter.colour_bar import draw_colour_bar
 from qovr_app.view3d.painter.hand import draw_hand
 from qovr_app.view3d.painter.legend import draw_legend, legend_room
 from qovr_app.view3d.painter.lines import draw_lines, lines_of
+from qovr_app.view3d.painter.measure import draw_measure
 from qovr_app.view3d.painter.net_points import draw_labels, draw_points
 from qovr_app.view3d.painter.note import draw_hint, draw_note
 from qovr_app.view3d.painter.readout import draw_readout
@@ -39,6 +40,7 @@ def draw_overlay(painter: QPainter, picture: Picture, size: Size) -> None:
     draw_legend(painter, picture, families, size)
     draw_triad(painter, picture, size)
     draw_hand(painter, picture, size)
+    draw_measure(painter, picture, size)
     _draw_words(painter, picture, size)
 
 

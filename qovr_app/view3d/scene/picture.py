@@ -14,6 +14,7 @@ from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
 from qovr_app.view3d.scene.hand import Hand
 from qovr_app.view3d.scene.knot_handles import CurveInHand, KnotHandle, handles_of
+from qovr_app.view3d.scene.measuring import Spot
 from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.patterns import PATTERNS
@@ -46,6 +47,7 @@ class Picture:
     moving : draw on a coarser grid, because the next frame is near
     probed : the parameters u and v of the point that is read off, or nothing
     caption : a word in the corner that tells two viewports apart, or nothing
+    spots : the places between which is measured
     tools : what a hand does here
     hand : what is seen of it; None in figures
     curve : the curve whose knots it finds handles of; None for none
@@ -63,6 +65,7 @@ class Picture:
     moving: bool = False
     probed: Parameters | None = None
     caption: str = ""
+    spots: tuple[Spot, ...] = ()
     tools: ToolSettings = field(default_factory=ToolSettings)
     hand: Hand | None = None
     curve: CurveInHand | None = None

@@ -77,7 +77,7 @@ class Shown:
         return (
             self.settings != before.settings
             or self.comparison != before.comparison
-            or self.marks != before.marks
+            or (self.marks, self.tools) != (before.marks, before.tools)
             or (shows_companions and self.companions_differ(before))
         )
 

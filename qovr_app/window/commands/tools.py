@@ -87,6 +87,14 @@ def probe_commands() -> tuple[Command, ...]:
             "Copy what the probe says about the point under the mouse, at full precision",
         ),
         Command(
+            "copy_measure",
+            "Copy meas&urement",
+            asking(requests.CopyAsked("measure")),
+            "&Edit",
+            "Ctrl+Alt+M",
+            "Copy distances, differences and the angle between the measured places, at full precision",
+        ),
+        Command(
             "pin_reference",
             "&Pin as reference",
             asking(looking_intents.ReferencePinned()),

@@ -20,6 +20,11 @@ _WAYS = {
 
 _SWITCHES = {
     "tool_select": ("selects", "&Select with a rectangle", "A drag selects the points in its rectangle"),
+    "tool_measure": (
+        "measures",
+        "&Measure",
+        "Click two points of net or surface for their distance, a third one for the angle; Esc ends it",
+    ),
     "snap": ("snaps", "S&nap to the step", "A drag keeps to multiples of the step"),
     "soft": ("soft", "So&ft moves", "The points around follow, less with every step along the net"),
     "symmetry_rows": (
