@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from importlib.resources import files
 
 from PySide6.QtCore import QEvent, QSize, Qt
@@ -38,6 +39,14 @@ class HelpDialog(QDialog):
         layout.addWidget(without_icons(buttons))
         resize_within_screen(self, _SIZE)
 
+    def show_about(self, names: Iterable[str]) -> None:
+        """Show the page where it speaks of the first of these parts of the window that it speaks of at all."""
+        self.show()
+        self.raise_()
+        part = next((name for name in names if f'<a name="{name}">' in self._html), "")
+        if part:
+            self._text.scrollToAnchor(part)
+
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.PaletteChange:
@@ -46,4 +55,5 @@ class HelpDialog(QDialog):
             self._text.verticalScrollBar().setValue(place)
 
     def _read(self) -> None:
-        self._text.setHtml(files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8"))
+        self._html = files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8")
+        self._text.setHtml(self._html)

@@ -27,6 +27,29 @@ CITATION = """@misc{qovr,
 """The paper, for BibTeX."""
 
 
+_KEYS_THERE = {
+    "While a point is dragged": {
+        "X, Y, Z": "along that axis, and free again",
+        "Shift+X, Y, Z": "in the plane across it",
+        "Shift, Ctrl": "fine, keep to the step",
+        "Digits": "the value itself; Enter takes it",
+        "Esc": "put it back",
+    },
+    "In the view": {
+        "Arrows": "go over the points",
+        "Ctrl+Arrows": "orbit",
+        "Shift, Ctrl and a click": "add a point, add or remove it",
+        "Tab": "leave the view",
+    },
+    "In a field": {
+        "Up, Down, PgUp, PgDown": "a step, ten steps",
+        "1/3, +0.1, *2, /2, +-0.1": "worked out",
+        "Esc": "drop what is typed",
+    },
+}
+"""What keys do where no command is asked for."""
+
+
 def versions_text() -> str:
     """Return the versions of the program and of what it is built on, one a line."""
     return "\n".join(
@@ -62,6 +85,9 @@ def keys_html(actions: Iterable[tuple[str, QAction]]) -> str:
             rows.append(f"<tr><td colspan=2><h3>{escape(title)}</h3></td></tr>")
         text = action.iconText() if action.text().startswith(("&Undo", "&Redo")) else action.text()
         rows.append(f"<tr><td><b>{escape(keys)}</b>&nbsp;&nbsp;</td><td>{escape(text.replace('&', ''))}</td></tr>")
+    for title, keys_there in _KEYS_THERE.items():
+        rows.append(f"<tr><td colspan=2><h3>{title}</h3></td></tr>")
+        rows.extend(f"<tr><td><b>{keys}</b>&nbsp;&nbsp;</td><td>{text}</td></tr>" for keys, text in keys_there.items())
     return f"<table>{''.join(rows)}</table>"
 
 

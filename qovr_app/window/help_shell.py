@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from html import escape
 
 from PySide6.QtCore import QSize
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QApplication, QWidget
 
 from qovr_app.dialogs.help_dialog import HelpDialog
 from qovr_app.dialogs.sheet import Sheet
@@ -39,10 +39,10 @@ class HelpShell:
         }
 
     def _show_help(self, _request: requests.HelpAsked) -> None:
+        names = list(_names_around(QApplication.focusWidget()))  # before the page takes the keyboard
         if self._help is None:
             self._help = HelpDialog(self._window)
-        self._help.show()
-        self._help.raise_()
+        self._help.show_about(names)
 
     def _show_keys(self, _request: requests.KeysAsked) -> None:
         actions = self._actions()
@@ -59,3 +59,10 @@ class HelpShell:
         palette = Palette(self._actions(), self._window)
         palette.finished.connect(palette.deleteLater)
         palette.show()
+
+
+def _names_around(widget: QWidget | None) -> Iterator[str]:
+    """Yield the object names of a widget and of what it is part of, from inside out."""
+    while widget is not None:
+        yield widget.objectName()
+        widget = widget.parentWidget()

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
+from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QListWidget, QMenu, QTextBrowser
@@ -129,3 +129,31 @@ def test_the_citation_and_a_report_are_copied(editor):
     kinds = [type(intent_of(line)).__name__ for line in session.splitlines()]
     assert kinds[0] == "Configured"
     assert "PointsNudged" in kinds
+
+
+@pytest.mark.parametrize(
+    ("focus", "heading"),
+    [
+        ("row_knots.C_2.u", "Row-wise knots"),
+        ("control_points.P_1_3.z", "Control points"),
+        ("surface.samples_u", "Surface"),
+        ("view", "In the view:"),
+    ],
+)
+def test_f1_helps_with_what_has_the_keyboard(editor, focus, heading):
+    if focus == "view":
+        editor.trigger("go_view")
+    else:
+        editor.find(focus).setFocus()
+    editor.settle()
+    editor.key(Qt.Key.Key_F1)
+    text = editor.find("help.text", QTextBrowser)
+    line = text.cursorForPosition(text.viewport().rect().topLeft() + QPoint(40, 12)).block().text()
+    assert line.startswith(heading)
+
+
+def test_the_page_of_keys_has_those_of_the_hand_too(editor):
+    editor.trigger("keys")
+    text = editor.find("keys.text", QTextBrowser).toPlainText()
+    assert "While a point is dragged" in text
+    assert "Preferences" in text

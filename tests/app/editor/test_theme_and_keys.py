@@ -48,7 +48,7 @@ def test_links_and_messages_follow_the_theme(editor, dark):
     links = text.document().firstBlock()
     while links.isValid():
         for part in links.textFormats():
-            if part.format.isAnchor():
+            if part.format.anchorHref():
                 assert part.format.foreground().color() == QGuiApplication.palette().link().color()
         links = links.next()
 
