@@ -1,15 +1,27 @@
-"""The laboratory's place under the 3D view: one panel at a time, made when it is first asked for."""
+"""The laboratory, wherever it has its place: one panel at a time, made when it is first asked for."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, QSize, QTimer
-from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QHBoxLayout, QLabel, QStackedWidget, QTabBar, QToolButton, QVBoxLayout, QWidget
+from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
+from PySide6.QtGui import QActionGroup, QShowEvent
+from PySide6.QtWidgets import (
+    QFrame,
+    QHBoxLayout,
+    QLabel,
+    QMenu,
+    QScrollArea,
+    QStackedWidget,
+    QTabBar,
+    QToolButton,
+    QVBoxLayout,
+    QWidget,
+)
 
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.laboratory.panels import PANELS, PanelRecord
+from qovr_app.laboratory.places import PLACES
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.looking_intents import PanelShown
+from qovr_app.state.looking_intents import DisplayChosen, PanelShown
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.parts import named
@@ -17,12 +29,13 @@ from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.work.worker import Worker
 
 _FIRST_SIZE = QSize(640, 330)
-_LEAST_SIZE = QSize(320, 160)
-"""What leaves the 3D view its own least height in a window of 1280 x 720."""
+_LEAST_SIZE = QSize(264, 160)
+_ENOUGH = 250
+"""Less height than its panel needs the laboratory takes only where that is more; then the panel is scrolled."""
 
 
 class LaboratoryDock(QWidget):
-    """Tabs over the panel that is shown; hidden while none is.
+    """Tabs over the panel that is shown; hidden while none is. A window gives it its place.
 
     Only the panel that is seen follows the state; another one is brought up to date when it is seen again.
     """
@@ -50,7 +63,9 @@ class LaboratoryDock(QWidget):
         return _FIRST_SIZE
 
     def minimumSizeHint(self) -> QSize:
-        return super().minimumSizeHint().expandedTo(_LEAST_SIZE)
+        panel = self._panels.get(self._store.shown.panel)
+        needed = _LEAST_SIZE.height() if panel is None else self._tabs.height() + panel.minimumSizeHint().height()
+        return QSize(_LEAST_SIZE.width(), max(_LEAST_SIZE.height(), min(needed, _ENOUGH)))
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         """Show the panel that the state names, or none, and the state in it."""
@@ -71,7 +86,8 @@ class LaboratoryDock(QWidget):
                 self._panels[name] = self._make_panel(self._records[number])
             with QSignalBlocker(self._tabs):
                 self._tabs.setCurrentIndex(number)
-            self._stack.setCurrentWidget(self._panels[name])
+            self._stack.setCurrentIndex(list(self._panels).index(name))
+            self.updateGeometry()
         self.setVisible(bool(name))
 
     def _show_panel(self) -> None:
@@ -88,7 +104,12 @@ class LaboratoryDock(QWidget):
         panel = record.make(self._store, self._worker)
         panel.setObjectName(f"laboratory.{record.name}")
         panel.setAccessibleName(record.title.replace("&", ""))
-        self._stack.addWidget(panel)
+        area = QScrollArea(self)
+        area.setFrameShape(QFrame.Shape.NoFrame)
+        area.setWidgetResizable(True)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+        area.setWidget(panel)
+        self._stack.addWidget(area)
         return panel
 
     def _make_tabs(self) -> QTabBar:
@@ -97,13 +118,39 @@ class LaboratoryDock(QWidget):
         tabs.setDocumentMode(True)
         tabs.setDrawBase(False)
         tabs.setExpanding(False)
+        tabs.setUsesScrollButtons(False)  # in a narrow place they would hide a tab; shortened ones have tips
+        tabs.setElideMode(Qt.TextElideMode.ElideRight)
         for number, record in enumerate(self._records):
             tabs.addTab(record.title.replace("&", ""))
             tabs.setTabToolTip(number, record.tip)
         tabs.currentChanged.connect(lambda number: self._store.dispatch(PanelShown(self._records[number].name)))
         return tabs
 
+    def _make_places(self, parent: QWidget) -> QMenu:
+        menu = named(QMenu(parent), "laboratory.places")
+        group = QActionGroup(menu)
+        for place, text in PLACES.items():
+            action = group.addAction(text)
+            action.setCheckable(True)
+            action.triggered.connect(
+                lambda _checked, place=place: self._store.dispatch(DisplayChosen("laboratory_place", place))
+            )
+            menu.aboutToShow.connect(
+                lambda action=action, place=place: action.setChecked(
+                    self._store.state.display.laboratory_place is place
+                )
+            )
+        menu.addActions(group.actions())
+        return menu
+
     def _arrange(self) -> None:
+        place = named(QToolButton(self), "laboratory.place", "Place of the laboratory")
+        place.setText("⋮")
+        place.setToolTip("Where the laboratory stands")
+        place.setAutoRaise(True)
+        place.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        place.setStyleSheet("QToolButton::menu-indicator { image: none; }")
+        place.setMenu(self._make_places(place))
         close = named(QToolButton(self), "laboratory.close", "Close the laboratory")
         close.setText("×")
         close.setToolTip("Close the laboratory")
@@ -113,6 +160,7 @@ class LaboratoryDock(QWidget):
         head.setContentsMargins(SPACE, SPACE // 2, SPACE, 0)
         head.addWidget(self._tabs, 1)
         head.addWidget(self._stale)
+        head.addWidget(place)
         head.addWidget(close)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)

@@ -13,7 +13,7 @@ UNCOLOURED = "none"
 
 
 class LayerChoice(StrEnum):
-    """Which layers are shown; ``BOTH`` puts the two side by side with linked cameras."""
+    """Which layers are shown; ``BOTH`` shows the two with linked cameras."""
 
     RAW = "raw"
     TRANSFORMED = "transformed"
@@ -99,10 +99,19 @@ class MouseScheme(StrEnum):
     CAD = "cad"
 
 
+class LaboratoryPlace(StrEnum):
+    """Where the user wants the laboratory; ``AUTO`` is where there is most room for it."""
+
+    AUTO = "auto"
+    RIGHT = "right"
+    BELOW = "below"
+    FLOATING = "floating"
+
+
 @dataclass(frozen=True)
 class DisplaySettings:
-    """Everything a user can choose about the picture, apart from the camera; ``replace`` makes the next
-    one.
+    """Everything a user can choose about the picture and what is around it, apart from the camera; ``replace`` makes
+    the next one.
 
     ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera. ``shares_range``
     lets a colour mean the same in both layers where both are shown. ``always_fits`` lets axes and colours follow every
@@ -136,6 +145,7 @@ class DisplaySettings:
     probe: bool = False
     always_fits: bool = False
     mouse: MouseScheme = MouseScheme.BLENDER
+    laboratory_place: LaboratoryPlace = LaboratoryPlace.AUTO
 
     @property
     def shown_colours(self) -> str:

@@ -28,7 +28,7 @@ _DRAWN = 0.7
 
 
 def view_image(view: QWidget, viewports: Sequence[Viewport], theme: Theme) -> QImage:
-    """Return what the viewports of a view show, side by side as they are, at the device's resolution."""
+    """Return what the viewports of a view show, where they are, at the device's resolution."""
     ratio = view.devicePixelRatioF()
     result = blank_image((view.width(), view.height()), ratio)
     result.fill(QColor(*theme.grid))
@@ -45,7 +45,7 @@ FigureWriter = Callable[[Path, FigureOptions, Progress, InGui], None]
 
 
 def figure_writer(seen: Sequence[tuple[Viewport, Picture]], *, refit: bool) -> FigureWriter:
-    """Return what writes the pictures of viewports side by side as one figure: as they are now, whenever it is called.
+    """Return what writes the pictures of viewports as one figure: as they are now, whenever it is called.
 
     Parameters
     ----------

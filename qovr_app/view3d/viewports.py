@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from PySide6.QtCore import QObject, QTimer, Signal
-from PySide6.QtWidgets import QHBoxLayout, QWidget
+from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from qovr_app.view3d.gl.support import forget_support, gl_support
 from qovr_app.view3d.interaction.interactor import Interactor
 from qovr_app.view3d.painter_viewport import PainterViewport
 from qovr_app.view3d.scene.hand import Hand
-from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.picture import Picture, is_stacked
 from qovr_app.view3d.viewport import Viewport
 
 _GAP = 1
@@ -19,7 +19,7 @@ _GAP = 1
 
 
 class Viewports(QObject):
-    """Keeps as many viewports side by side in a widget as are asked for, and reports what happens in any of them.
+    """Keeps as many viewports in a widget as are asked for, in a row or a stack, and reports what happens in any.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ class Viewports(QObject):
         self._count = 0
         self._uses_gl = False
         self._ask_for_opengl()
-        self._layout = QHBoxLayout(parent)
+        self._layout = QBoxLayout(QBoxLayout.Direction.LeftToRight, parent)
         self._layout.setContentsMargins(0, 0, 0, 0)
         self._layout.setSpacing(_GAP)
 
@@ -57,7 +57,7 @@ class Viewports(QObject):
 
     @property
     def in_use(self) -> Sequence[Viewport]:
-        """Those that are asked for, from left to right."""
+        """Those that are asked for, from left to right, or from above down."""
         return self._made[: self._count]
 
     def hand(self, number: int) -> Hand | None:
@@ -83,7 +83,10 @@ class Viewports(QObject):
 
     def lay_out(self) -> None:
         """Give the viewports their places in the widget now."""
-        self._layout.setGeometry(self._parent.rect())
+        rect, directions = self._parent.rect(), QBoxLayout.Direction
+        stacked = is_stacked((rect.width(), rect.height()), self._count)
+        self._layout.setDirection(directions.TopToBottom if stacked else directions.LeftToRight)
+        self._layout.setGeometry(rect)
 
     def drop_drags(self) -> None:
         """Let go of what is pressed or dragged, without a word: whoever the drag was for has ended it."""

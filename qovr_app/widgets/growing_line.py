@@ -13,6 +13,9 @@ PADDING, LEAST_PADDING = 4, 2
 """Between the text and the edges of its cell, in logical pixels; the least one where digits have to be left out."""
 
 _HEIGHT_BEYOND_TEXT = 4
+_TALLER = 1.7
+"""How far a field may grow where there is more height than the fields of a zone need."""
+
 _FIRST_TEXT, _LEAST_TEXT = "0.0000", f"-0.0{MORE_DIGITS}"
 """What a field has room for at first, and at least: a sign, and the digits that say how large a number is."""
 
@@ -26,13 +29,15 @@ class GrowingLine(QLineEdit):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._width: int | None = None
+        self._least_text = _LEAST_TEXT
         self._cell = self.geometry()
         self._is_growing = False
         self.setFrame(False)
         self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setTextMargins(PADDING - 2, 0, PADDING - 2, 0)
         self.setFont(number_font(self.font()))
-        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMaximumHeight(round(_TALLER * self.sizeHint().height()))
 
     def set_width(self, width: int) -> None:
         """Give the field a width of its own; without, it fills what it is given."""
@@ -43,7 +48,12 @@ class GrowingLine(QLineEdit):
         return self._size_of(_FIRST_TEXT, PADDING + 1)
 
     def minimumSizeHint(self) -> QSize:
-        return self._size_of(_LEAST_TEXT, LEAST_PADDING)
+        return self._size_of(self._least_text, LEAST_PADDING)
+
+    def set_least_text(self, text: str) -> None:
+        """Have room for at least this text; for a few digits where it is empty."""
+        self._least_text = text or _LEAST_TEXT
+        self.updateGeometry()
 
     def _size_of(self, text: str, padding: int) -> QSize:
         metrics = self.fontMetrics()

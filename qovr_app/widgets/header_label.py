@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, Qt, Signal
 from PySide6.QtGui import QColor, QEnterEvent, QPainter, QPaintEvent, QPalette
-from PySide6.QtWidgets import QLabel, QWidget
+from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from qovr_app.state.scrubbing import Scrub
 from qovr_app.style.palette import theme_in_force
@@ -40,6 +40,7 @@ class HeaderLabel(QLabel):
         super().__init__(html, parent)
         self.setObjectName(name)
         self.setTextFormat(Qt.TextFormat.RichText)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         scrubbing = Scrubbing(self, take, snaps)
         scrubbing.begun.connect(self.gesture_begun)
         scrubbing.scrubbed.connect(self.scrubbed)

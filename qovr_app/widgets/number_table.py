@@ -5,7 +5,15 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtCore import QModelIndex, QPersistentModelIndex, QSize, Qt
 from PySide6.QtGui import QPalette
-from PySide6.QtWidgets import QAbstractButton, QHeaderView, QLabel, QStyledItemDelegate, QStyleOptionViewItem, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QHeaderView,
+    QLabel,
+    QSizePolicy,
+    QStyledItemDelegate,
+    QStyleOptionViewItem,
+    QWidget,
+)
 
 from qovr_app.style.digits import ALL_DIGITS, USUAL_DIGITS, digits_in_force
 from qovr_app.style.fonts import number_font
@@ -17,8 +25,11 @@ from qovr_core.number_texts import fitted_text, number_text
 
 _FEWEST_DIGITS = 3
 _ROW_BEYOND_TEXT = 4
-_ITEM_PADDING = 8
-_ROW_HEADER_WIDTH = 36
+_TALLER = 1.7
+"""How far a table may grow where there is more height than it needs."""
+
+_ITEM_PADDING = 6
+_ROW_HEADER_WIDTH = 28
 _PLAIN_HEADERS = """
 QHeaderView { background: transparent; }
 QHeaderView::section, QTableCornerButton::section { border: none; background: transparent; }
@@ -77,7 +88,8 @@ class NumberTable(QuietTable):
         self._corner = QLabel(corner, self)
         self._corner.setTextFormat(Qt.TextFormat.RichText)
         self._corner.setGeometry(0, 0, _ROW_HEADER_WIDTH, self._row_height())
-        self.setFixedHeight(self._content_height())
+        self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.setMaximumHeight(round(_TALLER * self._content_height()))
 
     def show_numbers(self, numbers: Array) -> None:
         """Show an array of the table's shape."""
@@ -100,6 +112,9 @@ class NumberTable(QuietTable):
         rows = sorted({r for r, _ in chosen}) or range(self.rowCount())
         columns = sorted({c for _, c in chosen}) or range(self.columnCount())
         return [[float(self._numbers[r, c]) for c in columns] for r in rows]
+
+    def sizeHint(self) -> QSize:
+        return self.minimumSizeHint()
 
     def minimumSizeHint(self) -> QSize:
         return QSize(160, self._content_height())
@@ -132,8 +147,7 @@ class NumberTable(QuietTable):
         across.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         across.setDefaultAlignment(RIGHT)
         across.setFixedHeight(self._row_height())
-        down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
-        down.setDefaultSectionSize(self._row_height())
+        down.setSectionResizeMode(QHeaderView.ResizeMode.Stretch)
         down.setFixedWidth(_ROW_HEADER_WIDTH)
         self.setHorizontalHeaderLabels(columns)
         self.setVerticalHeaderLabels(rows)

@@ -96,6 +96,7 @@ def symbol(html: str, *, quiet: bool = False, parent: QWidget | None = None) -> 
     """Return a label that shows a symbol, for the eye only: fields carry their spoken names themselves."""
     result = QLabel(html, parent)
     result.setTextFormat(Qt.TextFormat.RichText)
+    result.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
     if quiet:
         result.setForegroundRole(QPalette.ColorRole.PlaceholderText)
     return result

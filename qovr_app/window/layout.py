@@ -1,16 +1,22 @@
-"""The window's middle: the four zones in the paper's places, and the view beside them."""
+"""The window's middle: zones, view and laboratory, arranged by the room there is."""
 
 from __future__ import annotations
 
-from PySide6.QtCore import QByteArray, QSize, Qt
-from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QApplication, QFrame, QScrollArea, QSizePolicy, QToolBar, QVBoxLayout, QWidget
+from PySide6.QtCore import QByteArray, Qt
+from PySide6.QtGui import QFontInfo, QResizeEvent
+from PySide6.QtWidgets import QApplication, QWidget
 
 from qovr_app.laboratory.dock import LaboratoryDock
+from qovr_app.laboratory.floating import FloatingWindow
+from qovr_app.laboratory.panels import PANELS
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.looking_intents import PanelShown, ZonesShown
 from qovr_app.store import Listener, Store
+from qovr_app.style.palette import theme_in_force
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.splitter import LineSplitter
+from qovr_app.window.column import LABORATORY, Column
+from qovr_app.window.room import Dock, Form, Room, room_of
 from qovr_app.window.view_frame import ViewFrame
 from qovr_app.work.worker import Worker
 from qovr_app.zones.knots_zone import KnotsZone
@@ -20,25 +26,32 @@ from qovr_app.zones.zone import FieldZone
 from qovr_core.edits import Zone
 from qovr_core.geometry.knots import Direction
 
-_LEFT, _MIDDLE = 264, 364
-"""First widths of the two columns: as narrow as four digits stay readable, which leaves the view half of 1280."""
+_USUAL_TEXT = 13
+"""Pixels of the largest text that systems use by themselves; where it is larger, everything needs as much more room."""
 
-_STACKED_BELOW = 2 * (_LEFT + _MIDDLE) - _LEFT // 2
-"""Where two columns would leave the view much less than half, the zones stand in one."""
-
-_LOWER = 260
 _LEAST_VIEW = 240
 """Narrower, a picture of the surface says nothing."""
 
-_VIEW, _LABORATORY = 4000, 330
-"""First heights on the view's side: the laboratory keeps its own, and the view gets what is left."""
+_VIEW = 10_000
+"""First size of the view in a splitter: what others leave."""
+
+_OPEN = "_open"
+"""What is added to the name of an arrangement in which the laboratory takes the zones' place."""
+
+_OF_ZONES = ("workspace", "columns", "left", "middle")
+_KEPT = (
+    *(f"{name}.{form}{more}" for name in _OF_ZONES for form in Form for more in ("", _OPEN)),
+    *(f"laboratory.{dock}" for dock in Dock),
+)
+"""What is remembered: the sizes in every splitter, apart for every arrangement."""
 
 
 class Layout(LineSplitter):
-    """Zones, view and laboratory in splitters."""
+    """Zones, view and laboratory in splitters, in the arrangement that ``room_of`` finds for the window."""
 
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__("workspace", Qt.Orientation.Horizontal, parent)
+        self._store = store
         self.rows = KnotsZone(Direction.ROWS, store, self)
         self.columns = KnotsZone(Direction.COLUMNS, store, self)
         self.points = PointsZone(store, self)
@@ -52,25 +65,28 @@ class Layout(LineSplitter):
             "surface": self.surface,
         }
         self.field_zones: tuple[FieldZone, ...] = (self.rows, self.columns, self.points)
-        self._splitters: dict[str, LineSplitter] = {"workspace": self}
-        self._zones_side = QWidget(self)
-        self._view_side = QWidget(self)
-        self._arrange()
-
-    def add_bars(self, edit_bar: QToolBar, view_bar: QToolBar) -> None:
-        """Put the bars over what they belong to."""
-        for bar, side in zip((edit_bar, view_bar), self._sides, strict=True):
-            bar.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-            side.insertWidget(0, bar)
+        self._left = self._splitter("left", Qt.Orientation.Vertical, self.rows, self.columns)
+        self._middle = self._splitter("middle", Qt.Orientation.Vertical, self.points, self.surface)
+        self._columns = self._splitter("columns", Qt.Orientation.Horizontal, self._left, self._middle)
+        self._column = Column(self._zones, self._columns, self)
+        self._view_side = self._splitter("laboratory", Qt.Orientation.Vertical, self.view_frame, self.laboratory)
+        self._view_side.setChildrenCollapsible(False)
+        self._view_side.setStretchFactor(0, 1)
+        self._floating = FloatingWindow(self)
+        self._floating.close_asked.connect(lambda: store.dispatch(PanelShown("")))
+        self._room: Room | None = None
+        self._kept: dict[str, QByteArray] = {}
+        self._was_opened = False
+        self.addWidget(self._column)
+        self.addWidget(self._view_side)
+        for splitter in (self, self._view_side, self._columns, self._left, self._middle):
+            splitter.splitterMoved.connect(lambda _position, _index: self._keep_sizes())
 
     @property
     def shows(self) -> tuple[Listener, ...]:
         """What shows states in every part, the view first: what is waited for is its frame."""
         zones = (zone.show_state for zone in self._zones.values())
-        return (self.view_frame.show_state, self.laboratory.show_state, *zones, self._show_sides)
-
-    def _show_sides(self, _before: EditorState | None, after: EditorState) -> None:
-        self._zones_side.setVisible(after.shows_zones)
+        return (self.view_frame.show_state, self.laboratory.show_state, *zones, self._show_state)
 
     def commit_typed(self) -> None:
         """Take what is typed in the field that has the keyboard, as leaving the field would."""
@@ -79,111 +95,150 @@ class Layout(LineSplitter):
             widget.commit()
 
     def current_zone(self) -> FieldZone:
-        """Return the zone of fields that has the keyboard; the control points where none has."""
+        """Return the zone of fields that has the keyboard; where none has, the one seen alone, or the points."""
         widget = QApplication.focusWidget()
-        return next(
-            (zone for zone in self.field_zones if widget is not None and zone.isAncestorOf(widget)), self.points
-        )
+        for zone in self.field_zones:
+            if (widget is not None and zone.isAncestorOf(widget)) or self._column.current == zone.zone:
+                return zone
+        return self.points
 
     def focus_part(self, name: str) -> None:
-        """Bring the keyboard to a zone or to the view."""
+        """Bring the keyboard to a zone, which is then seen, or to the view."""
         if name == "view":
             self.view_frame.focus_view()
-        else:
-            self._zones[name].focus_first()
-            if (focused := QApplication.focusWidget()) is not None and self._area.isAncestorOf(focused):
-                self._area.ensureWidgetVisible(focused)
+            return
+        self._store.dispatch(ZonesShown(are_shown=True))
+        self._store.flush()
+        self._column.bring(name)
+        self._zones[name].focus_first()
+        if (focused := QApplication.focusWidget()) is not None:
+            self._column.bring_into_sight(focused)
+
+    # What is remembered
 
     def layout_states(self) -> dict[str, QByteArray]:
-        """Return the states of all splitters by name."""
-        return {name: splitter.saveState() for name, splitter in self._splitters.items()}
+        """Return the sizes that were chosen in each arrangement, and the place of the laboratory's own window."""
+        return {
+            **{name: self._kept.get(name, QByteArray()) for name in _KEPT},
+            "floating": self._floating.saveGeometry(),
+        }
 
     def restore_layout(self, name: str, state: QByteArray) -> None:
-        """Bring a splitter into a state it had."""
-        self._splitters[name].restoreState(state)
+        """Have an arrangement come back as it was."""
+        if name == "floating":
+            self._floating.restoreGeometry(state)
+        elif not state.isEmpty():
+            self._kept[name] = state
+
+    # The arrangement
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        if self._splitters["columns"].orientation() != self._orientation:
-            self._turn_columns()
+        self._arrange()
 
-    @property
-    def _orientation(self) -> Qt.Orientation:
-        """Whether the columns of zones stand beside or below each other."""
-        return Qt.Orientation.Vertical if self.width() < _STACKED_BELOW else Qt.Orientation.Horizontal
-
-    def _turn_columns(self) -> None:
-        """Bring the columns beside or below each other; below, every zone has its whole height, and they scroll."""
-        is_stacked = self._orientation == Qt.Orientation.Vertical
-        columns, policy = self._splitters["columns"], QSizePolicy.Policy
-        columns.setOrientation(self._orientation)
-        for zone in self._zones.values():
-            zone.setSizePolicy(policy.Preferred, policy.Minimum if is_stacked else policy.Preferred)
-        columns.setSizes([_MIDDLE, _MIDDLE] if is_stacked else [_LEFT, _MIDDLE])
-        for name in ("left", "middle"):
-            self._splitters[name].setSizes([self.points.sizeHint().height(), _LOWER])
-        needed = max(columns.minimumSizeHint().width(), _MIDDLE if is_stacked else _LEFT + _MIDDLE)
-        width = needed + self._area.verticalScrollBar().sizeHint().width() * is_stacked
-        self.setSizes([width, max(self.width() - width, width)])
+    def _show_state(self, before: EditorState | None, after: EditorState) -> None:
+        if after.differs(before, "shows_zones", "panel", "display"):
+            self._arrange()
+        if before is not None and after.panel and after.panel != before.panel:
+            self._column.bring(LABORATORY)
+        if after.differs(before, "document", "draft", "texts", "message", "display"):
+            self._mark_zones()
 
     def _arrange(self) -> None:
-        left = self._column("left", self.rows, self.columns)
-        middle = self._column("middle", self.points, self.surface)
-        inner = self._splitter("columns", Qt.Orientation.Horizontal, left, middle)
-        inner.setSizes([_LEFT, _MIDDLE])
-        inner.setStretchFactor(1, 1)
-        self._area = _ZonesArea(inner, self._zones_side)
-        outer = self._splitter("laboratory", Qt.Orientation.Vertical, self.view_frame, self.laboratory)
-        outer.setChildrenCollapsible(False)
-        outer.setSizes([_VIEW, _LABORATORY])
-        outer.setStretchFactor(0, 1)
-        sides = (self._zones_side, self._area), (self._view_side, outer)
-        self._sides = [_side(side, content) for side, content in sides]
-        self._view_side.setMinimumWidth(_LEAST_VIEW)
-        self.addWidget(self._zones_side)
-        self.addWidget(self._view_side)
-        self.setCollapsible(1, False)
-        self.setStretchFactor(1, 1)
-        self.setSizes([_LEFT + _MIDDLE, 10 * _MIDDLE])
+        """Bring zones, view and laboratory into the arrangement that the window has room for."""
+        state, window = self._store.shown, self.window()
+        scale = max(1.0, QFontInfo(self.font()).pixelSize() / _USUAL_TEXT)
+        size = round(window.width() / scale), round(window.height() / scale)
+        room = room_of(*size, state.display.laboratory_place, is_open=bool(state.panel))
+        most = round(room.most_zones * scale)
+        self._column.setMaximumWidth(most)
+        if not room.is_below and self.sizes()[0] > most:
+            self.setSizes([most, self.width() - most])  # a splitter leaves a gap beside what has shrunk by itself
+        self._column.offer(
+            zones=state.shows_zones,
+            one_at_a_time=room.has_tabs,
+            laboratory=room.dock is Dock.COLUMN and bool(state.panel),
+        )
+        self._floating.setVisible(room.dock is Dock.FLOATING and bool(state.panel))
+        is_other = self._room is None or self._remembered(room).keys() != self._remembered(self._room).keys()
+        if is_other:
+            self._room = room
+            self._turn(room, scale)
+            self._mark_zones()
+        if room.opens_laboratory and not self._was_opened:
+            self._was_opened = True
+            if not state.panel:
+                self._store.dispatch(PanelShown(next(iter(PANELS))))
 
-    def _column(self, name: str, upper: QWidget, lower: QWidget) -> LineSplitter:
-        column = self._splitter(name, Qt.Orientation.Vertical, upper, lower)
-        column.setSizes([self.points.sizeHint().height(), _LOWER])
-        column.setStretchFactor(1, 1)
-        return column
+    def _turn(self, room: Room, scale: float) -> None:
+        """Take up an arrangement, with the sizes that it had last."""
+        vertical, horizontal = Qt.Orientation.Vertical, Qt.Orientation.Horizontal
+        self._middle.setOrientation(horizontal if room.is_below else vertical)
+        for zone in self.field_zones:
+            for field in zone.fields.values():
+                field.set_least_text(zone.longest if room.has_all_digits else "")
+        self._column.keep_width(is_kept=room.has_all_digits)
+        self._give_laboratory_its_place(room.dock)
+        self.insertWidget(int(room.is_below), self._column)
+        self.setOrientation(vertical if room.is_below else horizontal)
+        self._view_side.setMinimumWidth(_LEAST_VIEW)
+        for number, part in enumerate((self._column, self._view_side)):
+            self.setStretchFactor(self.indexOf(part), number)
+            self.setCollapsible(self.indexOf(part), number == 0)
+        for name, splitter in self._remembered(room).items():
+            if not splitter.restoreState(self._kept.get(name, QByteArray())):
+                splitter.setSizes(self._first_sizes(splitter, room, scale))
+        self._middle.setOrientation(horizontal if room.is_below else vertical)
+        self.setOrientation(vertical if room.is_below else horizontal)
+
+    def _first_sizes(self, splitter: LineSplitter, room: Room, scale: float) -> list[int]:
+        if splitter is self:
+            return [round(room.zones * scale), _VIEW][:: -1 if room.is_below else 1]
+        if splitter is self._view_side:
+            return [_VIEW, round(room.laboratory * scale)]
+        parts: dict[LineSplitter, tuple[QWidget, QWidget]] = {
+            self._columns: (self._left, self._middle),
+            self._left: (self.rows, self.columns),
+            self._middle: (self.points, self.surface),
+        }
+        hints = [part.sizeHint() for part in parts[splitter]]
+        is_row = splitter.orientation() is Qt.Orientation.Horizontal
+        return [hint.width() if is_row else hint.height() for hint in hints]
+
+    def _give_laboratory_its_place(self, dock: Dock) -> None:
+        self._view_side.setOrientation(Qt.Orientation.Horizontal if dock is Dock.RIGHT else Qt.Orientation.Vertical)
+        home = {Dock.COLUMN: self._column.drawer, Dock.FLOATING: self._floating}.get(dock, self._view_side)
+        if self.laboratory.parentWidget() is home:
+            return
+        if home is self._view_side:
+            self._view_side.addWidget(self.laboratory)
+        elif (place := home.layout()) is not None:
+            place.addWidget(self.laboratory)
+        self.laboratory.setVisible(bool(self._store.shown.panel))
+
+    def _remembered(self, room: Room) -> dict[str, LineSplitter]:
+        """Return the splitters whose sizes belong to an arrangement, by the names under which they are kept."""
+        splitters = zip(_OF_ZONES, (self, self._columns, self._left, self._middle), strict=True)
+        of_zones = {f"{name}.{room.form}{_OPEN * room.has_drawer}": splitter for name, splitter in splitters}
+        return {**of_zones, f"laboratory.{room.dock}": self._view_side}
+
+    def _keep_sizes(self) -> None:
+        """Keep what the user has chosen: a window that is only resized chooses nothing."""
+        if self._room is not None:
+            self._kept.update({key: splitter.saveState() for key, splitter in self._remembered(self._room).items()})
+
+    def _mark_zones(self) -> None:
+        """Say on the tabs which zones hold what was refused, or is not set."""
+        state, theme = self._store.shown, theme_in_force()
+        for zone in self.field_zones:
+            bad = sum(bool(field.error) for field in zone.fields.values())
+            pending = sum(state.is_pending(place) for place in zone.fields)
+            colour = theme.bad if bad else theme.accent if pending else None
+            said = f"{bad} refused" if bad else f"{pending} not set" if pending else ""
+            self._column.mark(zone.zone, colour, said)
 
     def _splitter(self, name: str, orientation: Qt.Orientation, *parts: QWidget) -> LineSplitter:
         splitter = LineSplitter(f"splitter.{name}", orientation, self)
         for part in parts:
             splitter.addWidget(part)
-        self._splitters[name] = splitter
         return splitter
-
-
-class _ZonesArea(QScrollArea):
-    """Lets the zones scroll where the window is low or narrow."""
-
-    def __init__(self, zones: QWidget, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._content = zones
-        self.setWidget(zones)
-        self.setObjectName("zones")
-        self.setFrameShape(QFrame.Shape.NoFrame)
-        self.setWidgetResizable(True)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(_LEFT, _LOWER)
-
-    def sizeHint(self) -> QSize:
-        """Return the size of the zones, not Qt's guess."""
-        return self._content.sizeHint()
-
-
-def _side(side: QWidget, content: QWidget) -> QVBoxLayout:
-    """Return the layout of one side of the window, with room for a bar over its content."""
-    layout = QVBoxLayout(side)
-    layout.setContentsMargins(0, 0, 0, 0)
-    layout.setSpacing(0)
-    layout.addWidget(content, 1)
-    return layout

@@ -30,7 +30,7 @@ from qovr_app.window.help_shell import HelpShell
 from qovr_app.window.history_menu import HistoryMenu
 from qovr_app.window.layout import Layout
 from qovr_app.window.layout_shell import LayoutShell
-from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_edit_bar, make_view_bar
+from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_bars
 from qovr_app.window.message_line import MessageLine
 from qovr_app.window.outside import FileWatch, OutsideOffer
 from qovr_app.window.placing import fit_into_screen, place_beside
@@ -144,11 +144,11 @@ class MainWindow(QMainWindow):
         self._offer.offer(recovery, self._recovery)
 
     def _assemble(self, folder: Folder) -> None:
-        self.parts.add_bars(make_edit_bar(self._actions, self), make_view_bar(self._actions, self))
         middle = QWidget(self)
         layout = QVBoxLayout(middle)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
+        layout.addWidget(make_bars(self._actions, self))
         layout.addWidget(self._offer.notice)
         layout.addWidget(self._outside.notice)
         layout.addWidget(self.parts, 1)

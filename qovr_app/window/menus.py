@@ -7,7 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
+from PySide6.QtWidgets import QHBoxLayout, QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from qovr_app.state.requests import RecentCleared, SourceAsked
 from qovr_app.store import Dispatch
@@ -65,6 +65,17 @@ def _menu(path: str, bar: QMenuBar, menus: dict[str, QMenu]) -> QMenu:
         menus[key].setObjectName(f"menu.{key.lower()}")
         menus[key].setToolTipsVisible(True)
     return menus[key]
+
+
+def make_bars(actions: Actions, parent: QWidget) -> QWidget:
+    """Return what stands over everything else, whatever of that is shown: the two bars in one row."""
+    bars = QWidget(parent)
+    row = QHBoxLayout(bars)
+    row.setContentsMargins(0, 0, 0, 0)
+    row.setSpacing(0)
+    row.addWidget(make_edit_bar(actions, bars))
+    row.addWidget(make_view_bar(actions, bars), 1)
+    return bars
 
 
 def make_view_bar(actions: Actions, parent: QWidget) -> QToolBar:

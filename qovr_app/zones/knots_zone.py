@@ -45,6 +45,7 @@ class KnotsZone(FieldZone):
     in a picture goes into its layout, and says by its minimum size how low it may become.
     """
 
+    longest = "0.123456"
     _check = staticmethod(checked_knot)
 
     def __init__(self, direction: Direction, store: Store, parent: QWidget | None = None) -> None:
@@ -53,7 +54,7 @@ class KnotsZone(FieldZone):
         super().__init__(Zone(direction.value), f"{symbol_html(letter, index)}(<i>{parameter}</i>)", store, parent)
         self._direction = direction
         self._headings = Headings(store, self.fields)
-        self._layout.addLayout(self._make_grid())
+        self._layout.addLayout(self._make_grid(), 1)
         self._caption = QLabel(self)
         self._slider = KnotSlider(f"{direction}.slider", self)
         guard_from_wheels(self._slider)
@@ -119,6 +120,7 @@ class KnotsZone(FieldZone):
         table = self._table()
         for r, row in enumerate(table, start=1):
             grid.addWidget(self._line_header(row), r, 0)
+            grid.setRowStretch(r, 1)
             for c, place in enumerate(row, start=1):
                 field = self._make_field(place, knot_step)
                 field.set_tip(knot_meaning(place))

@@ -25,17 +25,21 @@ from qovr_core.number_texts import natural_step
 _ROWS = range(NET_SIZE - 1, -1, -1)
 """Rows from the top of the window down."""
 
+_ROWS_FIRST = 100
+"""How much more of the height that is left goes to the rows than under them, until they are as high as they may be."""
+
 
 class PointsZone(FieldZone):
     """The coordinates of the 25 control points."""
 
+    longest = "-0.123456"
     _check = staticmethod(checked_number)
 
     def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(Zone.CONTROL_POINTS, symbol_html("P", "i,j"), store, parent)
         self._snapping = Snapping(lambda: store.state.tools.snap_step, lambda: store.state.tools.snaps)
         self._headings = Headings(store, self.fields)
-        self._layout.addLayout(self._make_grid())
+        self._layout.addLayout(self._make_grid(), _ROWS_FIRST)
         self._layout.addLayout(self._make_buttons())
         self._layout.addStretch(1)
 
@@ -99,6 +103,7 @@ class PointsZone(FieldZone):
             for axis, letter in enumerate(AXES):
                 header = self._line_header(f"<i>{letter}</i>", f"row_{i}.{letter}", row, axis)
                 grid.addWidget(header, line + axis, 1)
+                grid.setRowStretch(line + axis, 1)
             for j in range(NET_SIZE):
                 for axis in range(3):
                     place = CoordinatePlace(i, j, axis)

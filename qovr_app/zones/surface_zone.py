@@ -20,6 +20,10 @@ from qovr_app.zones.gestures import dispatch_gestures
 from qovr_app.zones.samples_field import SamplesField
 from qovr_core import FORMULATIONS, Document, Evaluation
 
+_NUMBERS_FIRST = 100
+"""How much more of the height that is left goes to boxes and T than under them, until they are as high as they may be.
+"""
+
 
 class SurfaceZone(QFrame):
     """Shows the configured surface's numbers, and dispatches what to do with it."""
@@ -166,10 +170,10 @@ class SurfaceZone(QFrame):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(*MARGINS)
         layout.setSpacing(SPACE)
-        layout.addWidget(QLabel(title_html("Surface", f"{symbol_html('QOVR', '')}(<i>u</i>, <i>v</i>)"), self))
+        layout.addWidget(symbol(title_html("Surface", f"{symbol_html('QOVR', '')}(<i>u</i>, <i>v</i>)"), parent=self))
         layout.addLayout(choices)
         layout.addLayout(configure)
-        layout.addWidget(self._numbers())
+        layout.addWidget(self._numbers(), _NUMBERS_FIRST)
         layout.addLayout(buttons)
         layout.addStretch(1)
 
@@ -179,12 +183,12 @@ class SurfaceZone(QFrame):
         tables = QVBoxLayout(inside)
         tables.setContentsMargins(0, 0, 0, 0)
         tables.setSpacing(SPACE)
-        tables.addWidget(self._boxes)
-        tables.addWidget(self._matrix)
+        for table in (self._boxes, self._matrix):
+            tables.addWidget(table, table.rowCount() + 1)
         area = QScrollArea(self)
         area.setFrameShape(QFrame.Shape.NoFrame)
         area.setWidgetResizable(True)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(inside)
-        area.setMaximumHeight(inside.sizeHint().height())
+        area.setMaximumHeight(tables.maximumSize().height())
         return area

@@ -18,7 +18,7 @@ from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.clipboard import Rows, pasted_cells
 from qovr_app.widgets.number_field import NumberField, Snapping
-from qovr_app.widgets.parts import MARGINS, CompactButton, title_html
+from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
 from qovr_app.zones.gestures import dispatch_gestures
 from qovr_core import DocumentError, QovrError
 from qovr_core.edits import Place, Zone, value_at
@@ -34,7 +34,7 @@ class FieldZone(QFrame):
         self.setAccessibleName(ZONE_TITLES[zone])
         self.fields: dict[Place, NumberField] = {}
         self._has_reported = False  # then a field shows what it has asked for, which may be undone in the same turn
-        self._title = QLabel(title_html(ZONE_TITLES[zone], aside), self)
+        self._title = symbol(title_html(ZONE_TITLES[zone], aside), parent=self)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(*MARGINS)
         self._layout.setSpacing(SPACE)
@@ -123,6 +123,9 @@ class FieldZone(QFrame):
     _check: Callable[[object, str], float]
     _snapping: Snapping | None = None
     """Of what dragged numbers are multiples; without, of a key's step, while Ctrl is held."""
+
+    longest: str
+    """A usual number of the zone that is as long as they come: six digits, and a sign where it can have one."""
 
     def _make_field(self, place: Place, step: Callable[[float], float]) -> NumberField:
         field = NumberField(label(place), self._check, step, self, snapping=self._snapping)

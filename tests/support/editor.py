@@ -5,7 +5,17 @@ from pathlib import Path
 from PySide6.QtCore import QEvent, QPoint, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QDialog, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QApplication,
+    QComboBox,
+    QDialog,
+    QLabel,
+    QLineEdit,
+    QSplitter,
+    QTabBar,
+    QWidget,
+)
 
 from qovr_app.main import open_windows
 from qovr_app.state.intents import Saved, ZoneRead
@@ -14,6 +24,9 @@ from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_a
 ROW_FIELDS = [KnotPlace(Direction.ROWS, k, name) for k in range(5) for name in "rsut"]
 COLUMN_FIELDS = [KnotPlace(Direction.COLUMNS, k, name) for k in range(5) for name in "rsut"]
 POINT_FIELDS = [CoordinatePlace(i, j, axis) for i in range(5) for j in range(5) for axis in range(3)]
+
+TABS = {"row_knots": "Rows u", "column_knots": "Columns v", "control_points": "Points", "surface": "Surface"}
+"""What is written on the tab of each zone, where they are seen one at a time."""
 
 
 def name_of(place):
@@ -38,6 +51,12 @@ def opened_windows():
     """Return the main windows that are shown, in the order in which they were opened."""
     QApplication.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     return [window for window in open_windows().all if window.isVisible()]
+
+
+def scroll_to(area, widget):
+    """Scroll until all of a widget is in sight, if it can be."""
+    at = widget.mapTo(area.widget(), widget.rect().center())
+    area.ensureVisible(at.x(), at.y(), widget.width() // 2 + 2, widget.height() // 2 + 2)
 
 
 class Editor:
@@ -100,6 +119,21 @@ class Editor:
         (found,) = self.window.findChildren(kind, name)
         return found
 
+    def choose_tab(self, text):
+        """Click a tab of the column of zones."""
+        tabs = self.find("zones.tabs", QTabBar)
+        number = [tabs.tabText(k) for k in range(tabs.count())].index(text)
+        QTest.mouseClick(tabs, Qt.MouseButton.LeftButton, pos=tabs.tabRect(number).center())
+        self.settle()
+
+    def reach(self, name, kind=QWidget):
+        """Return what has a name, its zone's tab clicked where that is what hides it."""
+        widget = self.find(name, kind)
+        tabs = self.find("zones.tabs", QTabBar)
+        if not widget.isVisible() and tabs.isVisible() and name.partition(".")[0] in TABS:
+            self.choose_tab(TABS[name.partition(".")[0]])
+        return widget
+
     def field(self, name):
         return self.find(name, QLineEdit)
 
@@ -117,11 +151,11 @@ class Editor:
         self.settle()
 
     def click(self, name):
-        QTest.mouseClick(self.find(name, QAbstractButton), Qt.MouseButton.LeftButton)
+        QTest.mouseClick(self.reach(name, QAbstractButton), Qt.MouseButton.LeftButton)
         self.settle()
 
     def type_into(self, name, text, end=Qt.Key.Key_Tab):
-        field = self.field(name)
+        field = self.reach(name, QLineEdit)
         QTest.mouseClick(field, Qt.MouseButton.LeftButton)
         field.selectAll()
         QTest.keyClicks(field, text)
@@ -134,7 +168,7 @@ class Editor:
         self.settle()
 
     def choose(self, name, text):
-        box = self.find(name, QComboBox)
+        box = self.reach(name, QComboBox)
         box.setFocus()
         QTest.qWait(QApplication.keyboardInputInterval() + 50)  # or the letter joins the one typed before
         QTest.keyClicks(box, text[0])
@@ -146,7 +180,7 @@ class Editor:
         return self.find(name, QDialog)
 
     def move_slider(self, name, steps):
-        slider = self.find(name)
+        slider = self.reach(name)
         slider.setFocus()
         for _ in range(abs(steps)):
             QTest.keyClick(slider, Qt.Key.Key_Right if steps > 0 else Qt.Key.Key_Left)
@@ -154,7 +188,7 @@ class Editor:
 
     def drag_slider(self, name, moves):
         """Drag the slider's handle by these distances in pixels, one after the other."""
-        slider = self.find(name)
+        slider = self.reach(name)
         start = QPoint(round(slider.width() * slider.value() / (slider.maximum() + 1)), slider.height() // 2)
         QTest.mousePress(slider, Qt.MouseButton.LeftButton, pos=start)
         at = start
@@ -163,6 +197,17 @@ class Editor:
             QTest.mouseMove(slider, at)
             self.settle()
         QTest.mouseRelease(slider, Qt.MouseButton.LeftButton, pos=at)
+        self.settle()
+
+    def drag_handle(self, name, by):
+        """Drag the handle between a splitter's parts so many pixels to the right or down."""
+        splitter = self.find(name, QSplitter)
+        handle = splitter.handle(1)
+        is_row = splitter.orientation() == Qt.Orientation.Horizontal
+        start = handle.rect().center()
+        QTest.mousePress(handle, Qt.MouseButton.LeftButton, pos=start)
+        QTest.mouseMove(handle, start + (QPoint(by, 0) if is_row else QPoint(0, by)))
+        QTest.mouseRelease(handle, Qt.MouseButton.LeftButton, pos=handle.rect().center())
         self.settle()
 
     def export_to(self, path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -13,7 +14,7 @@ from qovr_app.state.figure_options import INCH, FigureOptions
 from qovr_app.style.canvas import painting
 from qovr_app.view3d.figure.pdf_metadata import same_every_time
 from qovr_app.view3d.scene.camera import Size, fitted
-from qovr_app.view3d.scene.picture import Picture, margins
+from qovr_app.view3d.scene.picture import Picture, is_stacked, margins
 from qovr_core.files.atomic import replacing
 
 _SVG_UNITS = 2540
@@ -40,7 +41,7 @@ class Panel:
 
 
 def save_figure(path: Path, panels: list[Panel], options: FigureOptions, *, refit: bool) -> None:
-    """Write viewports side by side as one figure.
+    """Write viewports as one figure, in a row or a stack by its shape.
 
     Parameters
     ----------
@@ -64,16 +65,18 @@ class _Page:
     panels: list[Panel]
     size: Size
     scale: float
+    is_stack: bool
 
 
 def _laid_out(panels: list[Panel], options: FigureOptions, *, refit: bool) -> _Page:
     """Give the page as many logical pixels as keep lettering and lines as large, in the picture, as on the
     screen."""
-    count = len(panels)
-    seen = panels[0].size
-    width, height = options.pixels
-    scale = min(width / (seen[0] * count), height / seen[1])
-    size = width / count / scale, height / scale
+    count, seen, (width, height) = len(panels), panels[0].size, options.pixels
+    of_view = math.sqrt(width * height / (count * seen[0] * seen[1]))
+    is_stack = is_stacked((width / of_view, height / of_view), count)
+    cell = (width, height / count) if is_stack else (width / count, height)
+    scale = min(cell[0] / seen[0], cell[1] / seen[1])
+    size = cell[0] / scale, cell[1] / scale
     placed = []
     for panel in panels:
         picture = panel.picture
@@ -81,7 +84,7 @@ def _laid_out(panels: list[Panel], options: FigureOptions, *, refit: bool) -> _P
             half, room = picture.scene.frame.half_extents, margins(picture.settings, size)
             picture = replace(picture, camera=fitted(picture.camera, half, size, room))
         placed.append(replace(panel, picture=picture, size=size))
-    return _Page(placed, (width / scale, height / scale), scale)
+    return _Page(placed, (width / scale, height / scale), scale, is_stack)
 
 
 def _draw_page(painter: QPainter, page: _Page, *, transparent: bool) -> None:
@@ -90,7 +93,7 @@ def _draw_page(painter: QPainter, page: _Page, *, transparent: bool) -> None:
         width, height = panel.size
         painter.save()
         try:
-            painter.translate(k * width, 0)
+            painter.translate(*((0, k * height) if page.is_stack else (k * width, 0)))
             painter.setClipRect(QRectF(0, 0, width, height))
             panel.draw(painter, panel, page.scale, transparent)
         finally:

@@ -141,3 +141,11 @@ def margins(settings: DisplaySettings, size: Size) -> Margins:
     left = _TITLE_ROOM if settings.axes else _BARE_ROOM
     right = _BAR_ROOM if has_colour_bar(settings, size) else side
     return Margins(left=left, top=_BARE_ROOM, right=right, bottom=side)
+
+
+def is_stacked(size: Size, count: int) -> bool:
+    """Return whether several viewports that share this size show more of a surface one above the other than in a row,
+    with everything that stands around it."""
+    across, down = _TITLE_ROOM + _BAR_ROOM, _BARE_ROOM + _AXES_ROOM
+    in_a_row = min(size[0] / count - across, size[1] - down)
+    return count > 1 and min(size[0] - across, size[1] / count - down) > in_a_row

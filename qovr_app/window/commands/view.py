@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from qovr_app.state.display import ColourMap, ColourRange, LayerChoice, MouseScheme, Projection, Scaling, Style
+from qovr_app.laboratory.places import PLACES
+from qovr_app.state.display import (
+    ColourMap,
+    ColourRange,
+    LaboratoryPlace,
+    LayerChoice,
+    MouseScheme,
+    Projection,
+    Scaling,
+    Style,
+)
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.state.looking_intents import DisplayChosen
@@ -47,7 +57,7 @@ CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
         {
             "raw": ("&Raw surface", "1"),
             "transformed": ("&Transformed surface", "2"),
-            "both": ("&Both side by side", "3"),
+            "both": ("&Both", "3"),
         },
     ),
     "style": (
@@ -85,6 +95,11 @@ CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
             "cad": ("&CAD: the middle button orbits, with Ctrl it pans", None),
             "rhino": ("&Rhino: the right button orbits, with Shift it pans", None),
         },
+    ),
+    "laboratory_place": (
+        LaboratoryPlace,
+        "&Laboratory/P&lace",
+        {place: (text, None) for place, text in PLACES.items()},
     ),
     "projection": (
         Projection,

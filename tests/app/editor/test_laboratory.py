@@ -160,8 +160,7 @@ def test_the_laboratory_stays_when_the_zones_go_and_keeps_its_height(lab, home, 
     window = MainWindow(None, Preferences())
     first = Editor(window, (1440, 900))
     first.trigger("laboratory_first")
-    first.find("splitter.laboratory").setSizes([400, 260])
-    first.settle()
+    first.drag_handle("splitter.laboratory", -60)
     height = window.parts.laboratory.height()
     first.trigger("laboratory_first")
     first.discard()
@@ -172,14 +171,17 @@ def test_the_laboratory_stays_when_the_zones_go_and_keeps_its_height(lab, home, 
     again.discard()
 
 
-def test_view_and_panel_have_room_in_a_small_window(make_editor):
+@pytest.mark.parametrize(("place", "view"), [("auto", (899, 600)), ("below", (899, 300))])
+def test_view_and_panel_have_room_in_a_small_window(make_editor, place, view):
     editor = make_editor(size=(1280, 720))
+    editor.trigger(f"laboratory_place_{place}")
     editor.trigger("laboratory_curve")
     assert (editor.window.width(), editor.window.height()) == (1280, 720)
-    assert editor.window.view.height() >= 240
+    assert editor.window.view.width() >= view[0]
+    assert editor.window.view.height() >= view[1]
     assert editor.window.parts.laboratory.height() >= 250
     for name in ("surface.configure", "surface.matrix", "row_knots.C_0.t"):
-        assert not editor.find(name).visibleRegion().isEmpty()
+        assert not editor.reach(name).visibleRegion().isEmpty()
 
 
 def test_tabs_and_closing_have_spoken_names(lab):

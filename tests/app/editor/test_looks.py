@@ -90,7 +90,7 @@ def test_everything_fits_its_place(make_editor, size):
     names = [name_of(place) for place in (*ROW_FIELDS, *COLUMN_FIELDS, *POINT_FIELDS)]
     names += [f"surface.{part}" for part in ("configure", "export", "figure", "formulation", "boxes", "matrix")]
     for name in names:
-        widget = editor.find(name)
+        widget = editor.reach(name)
         area = widget.parentWidget().rect()
         assert area.contains(widget.geometry()), name
         assert widget.width() >= widget.minimumSizeHint().width(), name
