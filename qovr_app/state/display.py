@@ -109,6 +109,25 @@ class LaboratoryPlace(StrEnum):
 
 
 @dataclass(frozen=True)
+class Underlay:
+    """A picture that lies under the net, in the plane of its lowest height, for something to be drawn after.
+
+    Parameters
+    ----------
+    path : of the file
+    left, bottom, width, height : where it lies, in the document's units along x and y
+    opacity : above 0, up to 1
+    """
+
+    path: str
+    left: float
+    bottom: float
+    width: float
+    height: float
+    opacity: float = 0.6
+
+
+@dataclass(frozen=True)
 class DisplaySettings:
     """Everything a user can choose about the picture and what is around it, apart from the camera; ``replace`` makes
     the next one.
@@ -144,6 +163,7 @@ class DisplaySettings:
     shares_range: bool = False
     probe: bool = False
     always_fits: bool = False
+    underlay: Underlay | None = None
     mouse: MouseScheme = MouseScheme.BLENDER
     laboratory_place: LaboratoryPlace = LaboratoryPlace.AUTO
 

@@ -14,6 +14,7 @@ from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
 from qovr_app.window.shell import Answers
 from qovr_app.window.transforming import ask_symmetry, ask_transform
+from qovr_app.window.underlay_shell import UnderlayShell
 
 
 class LayoutShell:
@@ -23,6 +24,7 @@ class LayoutShell:
         self._store, self._layout, self._window = store, layout, window
         clipboard = Clipboard(layout, store)
         self.answers: Answers = {
+            **UnderlayShell(store, window).answers,
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,

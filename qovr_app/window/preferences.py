@@ -22,7 +22,8 @@ _MOST_RECENT = 9
 """As many recent files as there are digits to choose them by."""
 
 _FORGOTTEN = (
-    "theme", "fixed_range", "selects", "measures", "symmetry_rows", "symmetry_columns", "mirror_rows", "mirror_columns",
+    "theme", "fixed_range", "underlay", "selects", "measures", "symmetry_rows", "symmetry_columns", "mirror_rows",
+    "mirror_columns",
 )  # fmt: skip
 """Settings that follow the system, or belong to one document, and are not remembered."""
 

@@ -10,6 +10,7 @@ from qovr_app.style.theme import Theme
 from qovr_app.view3d.painter.axis_texts import TICK_LENGTH, draw_axis_texts
 from qovr_app.view3d.painter.colour_bar import bar_rect
 from qovr_app.view3d.painter.text import NORMAL, draw_text, plain
+from qovr_app.view3d.painter.underlay import draw_underlay
 from qovr_app.view3d.scene.axes import AxisEdge, axes_box
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
@@ -19,7 +20,7 @@ from qovr_core.arrays import Array
 def backdrop_key(picture: Picture, size: Size) -> tuple[object, ...]:
     """Return what the backdrop depends on: while it stays equal, a drawn backdrop can be used again."""
     limits, settings = picture.scene.frame.limits.tobytes(), picture.settings
-    has_bar = has_colour_bar(settings, size)
+    has_bar = settings.underlay, has_colour_bar(settings, size)
     return size, picture.camera, limits, settings.axes, settings.theme, settings.scaling, has_bar, picture.caption
 
 
@@ -35,9 +36,11 @@ def draw_backdrop(painter: QPainter, picture: Picture, size: Size, *, transparen
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     if not transparent:
         painter.fillRect(QRectF(0, 0, *size), QColor(*theme.background))
-    if picture.settings.axes:
-        box = axes_box(picture.scene.frame, picture.camera, size)
+    box = axes_box(picture.scene.frame, picture.camera, size) if picture.settings.axes else None
+    if box is not None:
         _draw_panes(painter, box.panes, theme, filled=not transparent)
+    draw_underlay(painter, picture, size)
+    if box is not None:
         painter.setPen(QPen(QColor(*theme.grid), 1.0))
         painter.drawLines(_lines(box.grid))
         for edge in box.edges:
