@@ -46,6 +46,10 @@ _SUMMED_DIGITS = 15
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
+_DIFFERENCE_DIGITS = 6
+"""What a mouse makes has fewer."""
+
+
 def number_text(value: float) -> str:
     """Return the shortest text that reads back as the very same number; it may be typed, so its minus is a hyphen."""
     return _short_exponent(repr(float(value)).removesuffix(".0"))
@@ -98,6 +102,18 @@ def short_text(value: float) -> str:
     """Return a number for a narrow cell: whole from 100 on, else two digits, but one before an exponent."""
     text = f"{value:.0f}" if 100 <= value < _LARGEST_WHOLE else f"{value:.2g}"
     return true_minus(_short_exponent(f"{value:.0e}" if "e" in text else text))
+
+
+def signed_text(value: float) -> str:
+    """Return a difference in few digits, with its sign whatever it is.
+
+    Examples
+    --------
+    >>> signed_text(0.30000000000000004 - 0.1), signed_text(-0.25)
+    ('+0.2', '−0.25')
+    """
+    text = rounded_text(round(value, 15), _DIFFERENCE_DIGITS)
+    return text if value < 0 else f"+{text}"
 
 
 def percent_text(part: float) -> str:

@@ -11,6 +11,10 @@ Rgb = tuple[int, int, int]
 """Red, green and blue from 0 to 255."""
 
 
+KNOT_SERIES = {"r": 1, "s": 2, "u": 2, "t": 3}
+"""Which of a theme's series the knots are drawn in, in plots and in the view: u in that of s, with which it is one."""
+
+
 @dataclass(frozen=True)
 class Theme:
     """One set of colours.

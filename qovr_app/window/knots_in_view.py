@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent, ValuesEdited
-from qovr_app.state.knot_intents import KnotsSet
+from qovr_app.state.knot_in_hand import RESET, KnotInHand
 from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import FieldFocused
 from qovr_app.state.names import label
-from qovr_app.view3d.scene.hand import RESET
-from qovr_app.view3d.scene.knot_handles import CurveInHand
 from qovr_app.widgets.plain import menu_text
-from qovr_core.edits import Place, knots_of, value_at
+from qovr_core.edits import Place, knots_of
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.number_texts import number_text
 
@@ -19,29 +19,25 @@ Choices = list[tuple[str, Intent]]
 """What a menu offers: the text, and what it asks for."""
 
 
-def curve_in_hand(state: EditorState) -> CurveInHand | None:
-    """Return the curve of the knot that is turned to, with the document's knots, be the surface of others or not."""
+def knot_in_focus(state: EditorState) -> KnotInHand | None:
+    """Return the knot that is turned to, as the document has it, be the surface of others or not."""
     focus = state.focus
-    if not isinstance(focus, KnotPlace):
-        return None
-    knots = knots_of(state.document, focus.direction)[focus.curve]
-    return CurveInHand(focus, window_along(state.window, focus.direction), knots)
+    return _in_hand(focus, state) if isinstance(focus, KnotPlace) else None
+
+
+def _in_hand(place: KnotPlace, state: EditorState) -> KnotInHand:
+    knots = knots_of(state.document, place.direction)[place.curve]
+    return KnotInHand(place, window_along(state.window, place.direction), knots)
 
 
 def knot_choices(place: KnotPlace, state: EditorState) -> Choices:
     """Return what can be done with one knot."""
-    window, value = window_along(state.window, place.direction), value_at(state.document, place)
-
-    def setting(curve: int | None, to: float) -> KnotsSet:
-        return KnotsSet(place.direction, curve, window, place.name, to, takes_s=True, in_view=True)
-
-    name = f"{place.letter}_ip"
+    knot = _in_hand(place, state)
+    one = knot.set_to(knot.value, takes_s=True, in_view=True)
+    on_all = f"Set {place.letter}_ip to {number_text(knot.value)} on all curves {_family(state, place.direction)}"
     return [
-        (menu_text(f"Reset {label(place)} to {number_text(RESET)}"), setting(place.curve, RESET)),
-        (
-            menu_text(f"Set {name} to {number_text(value)} on all curves {_family(state, place.direction)}"),
-            setting(None, value),
-        ),
+        (menu_text(f"Reset {label(place)} to {number_text(RESET)}"), knot.reset(in_view=True)),
+        (menu_text(on_all), replace(one, curve=None)),
     ]
 
 

@@ -19,7 +19,7 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
-from qovr_app.window.knots_in_view import curve_in_hand
+from qovr_app.window.knots_in_view import knot_in_focus
 from qovr_app.work.gui_calls import GuiCalls
 from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, Zone
@@ -231,7 +231,7 @@ def shown_of(state: EditorState) -> Shown:
         reference=reference.surface if reference else None,
         reference_name=reference.name if reference else "",
         knot=state.knot,
-        curve=curve_in_hand(state),
+        curve=knot_in_focus(state),
         comparison=_comparison_of(state),
         opening=state.file.opening,
         dragging=state.gesture is not None,

@@ -25,6 +25,7 @@ from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.gestures import dispatch_gestures
 from qovr_app.zones.headings import Headings
 from qovr_app.zones.knot_slider import KnotSlider
+from qovr_app.zones.knot_transformations import KnotTransformations
 from qovr_app.zones.zone import FieldZone
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
 from qovr_core.checks import checked_knot
@@ -71,11 +72,15 @@ class KnotsZone(FieldZone):
         self._note.linkActivated.connect(lambda name: store.dispatch(FormulationChosen(name)))
         self._layout.addWidget(self._note)
         self.plot_place = named(QWidget(self), f"{direction}.plot")
-        QVBoxLayout(self.plot_place).setContentsMargins(0, 0, 0, 0)
+        place = QVBoxLayout(self.plot_place)
+        place.setContentsMargins(0, 0, 0, 0)
+        self._transformations = KnotTransformations(direction, store, self.plot_place)
+        place.addWidget(self._transformations)
         self._layout.addWidget(self.plot_place, 1)
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         super().show_state(before, after)
+        self._transformations.show_state(before, after)
         if after.differs(before, "document", "draft"):
             self._show_effects(after.document, knots_of(after.draft, self._direction))
         if after.differs(before, "draft", "fields", "links"):

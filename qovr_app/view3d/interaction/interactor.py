@@ -155,7 +155,7 @@ class Interactor(QObject):
         points = points_under(picture, size, x, y) if is_free else []
         is_free = is_free and not points
         self.widget.setCursor(Qt.CursorShape.ArrowCursor if is_free else Qt.CursorShape.PointingHandCursor)
-        knot = None if handle is None else handle.place
+        knot = None if handle is None else handle.knot.place
         if (freedom, knot, view) != (self._freedom, self._knot, self._view):
             self._freedom, self._knot, self._view = freedom, knot, view
             self.widget.setToolTip(f"Look from: {view}" if view else "")

@@ -9,9 +9,8 @@ from qovr_app.state.looking_intents import FieldFocused, Picking
 from qovr_app.state.tools import Way
 from qovr_app.view3d.interaction.camera_input import moved_by_mouse, pivot_under
 from qovr_app.view3d.interaction.curve_picking import curve_under, points_of
-from qovr_app.view3d.interaction.dragger import DRAG_START, Dragger
 from qovr_app.view3d.interaction.dragging import HeldPoints, PointDragger
-from qovr_app.view3d.interaction.knot_dragging import KnotDragger, reset_knot
+from qovr_app.view3d.interaction.knot_dragging import KnotDragger
 from qovr_app.view3d.interaction.mouse_schemes import motion_of
 from qovr_app.view3d.interaction.picking import (
     chosen_of,
@@ -26,6 +25,7 @@ from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.grip import ALONG_WAY, IN_VIEW, Freedom, along
 from qovr_app.view3d.scene.hand import Band, MenuPlace
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.widgets.dragger import DRAG_START, Dragger
 from qovr_core.document import NetIndex
 
 _LEFT, _RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
@@ -100,7 +100,7 @@ class Mouse(QObject):
         handle, points = handle_under(picture, size, x, y), points_under(picture, size, x, y)
         curve = curve_under(picture, size, x, y)
         if handle is not None:
-            self.wanted.emit(reset_knot(handle))
+            self.wanted.emit(handle.knot.reset(in_view=True))
         elif points:
             self.opened.emit(chosen_of(points, picture))
         elif curve is not None:
@@ -185,9 +185,9 @@ class Mouse(QObject):
             self._hold(picture, size, picture.last_selected, freedom, at)
             return Press(_LEFT, at, Doing.MOVE)
         points = points_under(picture, size, at.x(), at.y())
-        knot = self._knots.take(picture, size, at)
-        if knot is not None:  # clicked again, it means the point behind it
-            is_again = picture.curve is not None and knot.place == picture.curve.focus
+        handle = self._knots.take(picture, size, at)
+        if handle is not None:  # clicked again, it means the point behind it
+            is_again = picture.curve is not None and handle.knot.place == picture.curve.place
             return Press(_LEFT, at, Doing.MOVE, point=chosen_of(points, picture) if points and is_again else None)
         if picture.tools.selects or (modifiers & _CONTROL and not points):
             picking = picking_of(modifiers) if picture.tools.selects or modifiers & _SHIFT else Picking.REPLACE

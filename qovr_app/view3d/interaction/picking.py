@@ -75,7 +75,7 @@ def menu_wish(picture: Picture, size: Size, x: float, y: float) -> MenuWish:
         return MenuWish(MenuPlace.COLOUR_BAR, (x, y))
     handle = handle_under(picture, size, x, y)
     if handle is not None:
-        return MenuWish(MenuPlace.KNOT, (x, y), knot=handle.place)
+        return MenuWish(MenuPlace.KNOT, (x, y), knot=handle.knot.place)
     points, curve = points_under(picture, size, x, y), curve_under(picture, size, x, y)
     if points:
         return MenuWish(MenuPlace.POINT, (x, y), tuple(points))

@@ -15,10 +15,6 @@ from qovr_app.view3d.painter.text import NORMAL, SMALL, Runs, draw_text, plain, 
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
 from qovr_core.arrays import Array
-from qovr_core.number_texts import rounded_text
-
-DIGITS = 6
-"""Of the numbers beside a point; what a mouse makes has fewer."""
 
 _GAP, _PAD, _LEADING = 16.0, 8.0, 17.0
 _EDGE = 6.0
@@ -51,9 +47,3 @@ def draw_beside(painter: QPainter, picture: Picture, point: Array, words: Words,
     draw_text(painter, words.line, (plate.left() + _PAD, top), (0, 0.5), picture.theme.ink, pixels=NORMAL)
     quiet = words.colour or picture.theme.quiet_ink
     draw_text(painter, plain(words.below), (plate.left() + _PAD, top + _LEADING), (0, 0.5), quiet)
-
-
-def signed_text(value: float) -> str:
-    """Return a difference, with its sign whatever it is."""
-    text = rounded_text(round(value, 15), DIGITS)
-    return text if value < 0 else f"+{text}"

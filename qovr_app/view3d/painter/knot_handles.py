@@ -7,18 +7,15 @@ from PySide6.QtCore import QLineF, QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.style.canvas import dimmed
-from qovr_app.style.theme import Rgb
-from qovr_app.view3d.painter.beside import Words, draw_beside, signed_text
+from qovr_app.style.theme import KNOT_SERIES, Rgb
+from qovr_app.view3d.painter.beside import Words, draw_beside
 from qovr_app.view3d.painter.text import NORMAL, Runs, draw_text
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.hand import KnotMarks
 from qovr_app.view3d.scene.knot_handles import KnotHandle
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
-from qovr_core.number_texts import number_text, true_minus
-
-_SERIES = {"r": 1, "s": 2, "u": 2, "t": 3}
-"""The colours are those of the transformations r(u), s(u) and t(u) in every plot."""
+from qovr_core.number_texts import number_text, signed_text, true_minus
 
 _CHORD_WIDTH, _RIM = 1.3, 2.0
 _RADIUS, _USED_RADIUS, _SMALL_RADIUS = 6.0, 7.5, 4.5
@@ -55,27 +52,27 @@ def draw_knots(painter: QPainter, picture: Picture, size: Size) -> None:
     for handle in picture.knot_handles:
         _draw_handle(painter, picture, handle, marks, size)
     if marks is not None and marks.begun is not None:
-        handle = next((each for each in picture.knot_handles if each.place == marks.place), marks.begun)
-        line, below = knot_text(handle, marks), _HELP_OF_BOTH if marks.begun.takes_s else _HELP
+        handle = next((each for each in picture.knot_handles if each.knot.place == marks.place), marks.begun)
+        line, below = knot_text(handle, marks), _HELP_OF_BOTH if marks.begun.knot.takes_s else _HELP
         words = Words(line, below) if marks.is_possible else Words(line, _IMPOSSIBLE, picture.theme.bad)
         draw_beside(painter, picture, picture.scene.frame.to_unit(handle.point), words, size)
 
 
 def knot_text(handle: KnotHandle, marks: KnotMarks) -> Runs:
     """Return which knot is in the hand, what it is now, and how far that is from what it was."""
-    name: Runs = ((f"{handle.place.letter}", False), ("ip", True))
-    if handle.takes_s:
+    name: Runs = ((f"{handle.knot.place.letter}", False), ("ip", True))
+    if handle.knot.takes_s:
         name = (*name, (" = s", False), ("ip", True))
     if marks.typed:
         return (*name, (f"  = {true_minus(marks.typed)}|", False))
-    moved = "" if marks.begun is None else f" ({signed_text(handle.value - marks.begun.value)})"
-    return (*name, (f"  {number_text(handle.value)}{moved}", False))
+    moved = "" if marks.begun is None else f" ({signed_text(handle.knot.value - marks.begun.knot.value)})"
+    return (*name, (f"  {number_text(handle.knot.value)}{moved}", False))
 
 
 def _draw_handle(painter: QPainter, picture: Picture, handle: KnotHandle, marks: KnotMarks | None, size: Size) -> None:
-    is_used = marks is not None and marks.place == handle.place
+    is_used = marks is not None and marks.place == handle.knot.place
     theme, colour = picture.theme, _colour(handle, picture)
-    radius = _USED_RADIUS if is_used else _SMALL_RADIUS if handle.place.name == "s" else _RADIUS
+    radius = _USED_RADIUS if is_used else _SMALL_RADIUS if handle.knot.place.name == "s" else _RADIUS
     if is_used and marks is not None and marks.begun is not None:
         with dimmed(painter, _GHOST):
             ghost = _seen(picture, marks.begun.point, size)
@@ -90,7 +87,7 @@ def _draw_handle(painter: QPainter, picture: Picture, handle: KnotHandle, marks:
     aside = np.array([way[1], -way[0]]) / length if np.isfinite(length) and length > 1 else np.array([0.0, 1.0])
     if aside[1] < 0:  # below its chord: the points' names stand above them
         aside = -aside
-    text: Runs = ((handle.place.letter, False),)
+    text: Runs = ((handle.knot.place.letter, False),)
     if is_used and marks is not None:
         text = knot_text(handle, marks)
     x, y = (at + _LETTER_AWAY * aside).tolist()
@@ -111,7 +108,7 @@ def _draw_diamond(painter: QPainter, at: Array, radius: float, colours: tuple[Rg
 
 
 def _colour(handle: KnotHandle, picture: Picture) -> Rgb:
-    return picture.theme.series[_SERIES[handle.place.name]]
+    return picture.theme.series[KNOT_SERIES[handle.knot.place.name]]
 
 
 def _seen(picture: Picture, points: Array, size: Size) -> Array:

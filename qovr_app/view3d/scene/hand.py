@@ -11,9 +11,6 @@ from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 from qovr_core.geometry.knots import KnotPlace
 
-RESET = 0.5
-"""What a knot is reset to, and the presets begin with: the middle point lies halfway between its neighbours."""
-
 Band = tuple[float, float, float, float]
 """Left, top, right and bottom of a rectangle that is drawn with the mouse, in logical pixels."""
 

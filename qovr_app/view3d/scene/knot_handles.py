@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
+from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.view3d.scene.frame import Frame
 from qovr_core.arrays import Array, read_only
-from qovr_core.geometry.knots import Direction, KnotPlace, Knots
+from qovr_core.geometry.knots import Direction
 
 _SHORTEST = 1e-9
 """Unit lengths of a chord below which its ends are one point, and a knot has nowhere to go on it."""
@@ -17,51 +18,28 @@ _CHORDS = {"r": 0, "s": 1, "u": 1, "t": 2}
 """By the knot, which of a window's points its chord begins at; it ends two points on."""
 
 
-@dataclass(frozen=True)
-class CurveInHand:
-    """The curve whose knots have handles.
-
-    Parameters
-    ----------
-    focus : the knot that is turned to, on this curve
-    window : the window along the curve
-    knots : of the curve there
-    """
-
-    focus: KnotPlace
-    window: int
-    knots: Knots
-
-
 @dataclass(frozen=True, eq=False)
 class KnotHandle:
     """A knot as a place on a chord.
 
     Parameters
     ----------
-    place : which knot
-    window : the window along the curve
-    value : the knot
+    knot : which knot, of what curve
     ends : (2, 3) the chord, in the document's units
-    takes_s : whether this is the handle of u, and s is the same number: then s goes with it
     """
 
-    place: KnotPlace
-    window: int
-    value: float
+    knot: KnotInHand
     ends: Array
-    takes_s: bool = False
 
     def at(self, value: float) -> Array:
         """Return where the handle of another value would be, (3,) in the document's units."""
-        start, end = self.ends
-        point: Array = start + value * (end - start)
+        point: Array = self.ends[0] + value * self.way
         return point
 
     @property
     def point(self) -> Array:
         """Where it is, (3,) in the document's units."""
-        return self.at(self.value)
+        return self.at(self.knot.value)
 
     @property
     def way(self) -> Array:
@@ -70,15 +48,14 @@ class KnotHandle:
         return way
 
 
-def handles_of(curve: CurveInHand, net: Array, frame: Frame) -> list[KnotHandle]:
-    """Return the handles of a curve of a net (k, l, 3) that have a chord; u and s are one while they are one number."""
-    points = net[curve.focus.curve] if curve.focus.direction is Direction.ROWS else net[:, curve.focus.curve]
-    is_one = curve.knots.is_quartic
+def handles_of(curve: KnotInHand, net: Array, frame: Frame) -> list[KnotHandle]:
+    """Return the handles of a curve of a net (k, l, 3) that have a chord."""
+    number, is_row = curve.place.curve, curve.place.direction is Direction.ROWS
+    points = net[number] if is_row else net[:, number]
     handles = []
-    for name, first in _CHORDS.items():
-        ends = points[2 * curve.window + first :][[0, 2]]
-        has_chord = np.linalg.norm(np.diff(frame.to_unit(ends), axis=0)) > _SHORTEST
-        if has_chord and not (name == "s" and is_one):
-            place, value = replace(curve.focus, name=name), getattr(curve.knots, name)
-            handles.append(KnotHandle(place, curve.window, value, read_only(ends), name == "u" and is_one))
+    for knot in curve.on_curve:
+        first = 2 * curve.window + _CHORDS[knot.place.name]
+        ends = points[[first, first + 2]]
+        if np.linalg.norm(np.diff(frame.to_unit(ends), axis=0)) > _SHORTEST:
+            handles.append(KnotHandle(knot, read_only(ends)))
     return handles

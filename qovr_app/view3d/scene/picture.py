@@ -8,12 +8,13 @@ from functools import cached_property
 import numpy as np
 
 from qovr_app.state.display import DisplaySettings, Style
+from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.state.tools import ToolSettings
 from qovr_app.style.theme import Theme, theme_of
 from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
 from qovr_app.view3d.scene.hand import Hand
-from qovr_app.view3d.scene.knot_handles import CurveInHand, KnotHandle, handles_of
+from qovr_app.view3d.scene.knot_handles import KnotHandle, handles_of
 from qovr_app.view3d.scene.measuring import Spot
 from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene.net_flags import flags_of
@@ -50,7 +51,7 @@ class Picture:
     spots : the places between which is measured
     tools : what a hand does here
     hand : what is seen of it; None in figures
-    curve : the curve whose knots it finds handles of; None for none
+    curve : the knot that is turned to, whose curve has handles; None for none
     """
 
     settings: DisplaySettings
@@ -68,7 +69,7 @@ class Picture:
     spots: tuple[Spot, ...] = ()
     tools: ToolSettings = field(default_factory=ToolSettings)
     hand: Hand | None = None
-    curve: CurveInHand | None = None
+    curve: KnotInHand | None = None
 
     @property
     def theme(self) -> Theme:

@@ -6,9 +6,9 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from qovr_app.state.display import DisplaySettings
+from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.state.tools import ToolSettings
 from qovr_app.view3d.scene.comparison import ComparisonView
-from qovr_app.view3d.scene.knot_handles import CurveInHand
 from qovr_app.view3d.scene.scene import Companions
 from qovr_core import Document, Evaluation, ParametricSurface
 from qovr_core.document import NetIndex
@@ -36,7 +36,7 @@ class Shown:
     reference : a surface in the document's units, from which distances are taken; None without one
     reference_name : what to call it
     knot : the knot to which the sensitivity is shown; None without one
-    curve : the curve whose knots have handles; None for none
+    curve : the knot that is turned to, whose curve has handles; None for none
     comparison : another surface of the same control net beside the document's, or over it; None for none
     opening : which of the documents that were opened this is: another one gets limits of its own
     dragging : a control point is being dragged, so that the limits of the axes stay whatever is chosen
@@ -54,7 +54,7 @@ class Shown:
     reference: ParametricSurface | None = None
     reference_name: str = ""
     knot: KnotPlace | None = None
-    curve: CurveInHand | None = None
+    curve: KnotInHand | None = None
     comparison: ComparisonView | None = None
     opening: int = 0
     dragging: bool = False

@@ -7,7 +7,7 @@ from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.gestures import next_gesture
-from qovr_app.view3d.interaction.typed_number import TypedNumber
+from qovr_app.widgets.typed_number import TypedNumber
 
 DRAG_START = 3.0
 """Pixels the mouse moves before a press becomes a drag: a click selects and must not edit."""
