@@ -225,14 +225,6 @@ class KnotPicture:
         painter.drawText(QPointF(left, middle + (metrics.ascent() - metrics.descent()) / 2), text)
 
 
-def nearest_knot(frame: Frame, knots: Knots, at: QPointF, reach: float) -> str:
-    """Return the knot whose handle is nearest to a pixel, within reach; empty for none."""
-    places = {name: frame.at(*place) for name, place in handle_places(knots).items()}
-    away = {name: QLineF(at, place).length() for name, place in places.items()}
-    name = min(away, key=lambda each: away[each])
-    return name if away[name] <= reach else ""
-
-
 def _with(knots: Knots, name: str, value: float) -> Knots:
     values = dict(zip(KNOT_NAMES, knots, strict=True))
     return Knots(**{**values, name: value})

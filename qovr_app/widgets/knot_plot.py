@@ -2,27 +2,20 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent, QPaintEvent
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QEvent, QPointF, Qt, Signal
+from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.intents import GestureCancelled, GestureEnded
 from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.store import Store
-from qovr_app.style.canvas import painting
-from qovr_app.style.fonts import small_number_font
-from qovr_app.style.palette import theme_in_force
-from qovr_app.widgets.knot_picture import Frame, KnotPicture, frame_in, handle_places, limits_of, nearest_knot
-from qovr_app.widgets.parts import named
-from qovr_app.widgets.plot_hand import PlotHand
-from qovr_core.geometry.knots import KnotPlace, Knots
-from qovr_core.number_texts import number_text
+from qovr_app.widgets.knot_canvas import KnotCanvas
+from qovr_app.widgets.knot_picture import limits_of
+from qovr_app.widgets.plot_hand import nearest_knot
+from qovr_core.geometry.knots import KnotPlace
 
 _REACH = 10.0
 """Pixels around a handle that belong to it."""
-
-LOWEST, _NARROWEST = 90, 120
-"""Less than this, and a plot says nothing: nothing is drawn."""
 
 _MODIFIERS: dict[int, Qt.KeyboardModifier] = {
     Qt.Key.Key_Shift: Qt.KeyboardModifier.ShiftModifier,
@@ -42,7 +35,7 @@ Shift: fine. Digits: the value. Esc: back. Double click: 0.5.
 Amber: there the curve folds back."""
 
 
-class KnotPlot(QWidget):
+class KnotPlot(KnotCanvas):
     """Shows a curve's transformations; what is dragged there sets its knots.
 
     Signals
@@ -53,66 +46,16 @@ class KnotPlot(QWidget):
     hovered = Signal(object)
 
     def __init__(self, name: str, store: Store, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        named(self, name)
-        self.small_font = small_number_font(self.font())
+        super().__init__(name, parent)
         self._store = store
-        self._curve: KnotInHand | None = None
-        self._used, self._waits = "", False
-        self._hover: float | None = None
-        self._limits = (0.0, 1.0)
-        self._hand = PlotHand(self, in_view=False)
+        self._waits = False
+        self._at = QPointF()
         self._hand.wanted.connect(store.dispatch)
         self._hand.finished.connect(lambda gesture: store.dispatch(GestureEnded(gesture)))
         self._hand.cancelled.connect(lambda gesture: store.dispatch(GestureCancelled(gesture)))
-        self._hand.changed.connect(self.update)
         self.setMouseTracking(True)
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
-        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
         self.setToolTip(_TIP)
-
-    def sizeHint(self) -> QSize:
-        return QSize(240, 170)
-
-    def minimumSizeHint(self) -> QSize:
-        return QSize(_NARROWEST, 0)
-
-    @property
-    def knots(self) -> Knots | None:
-        """The knots that are shown."""
-        return None if self._curve is None else self._curve.knots
-
-    def show_curve(self, curve: KnotInHand) -> None:
-        """Show the curve of a knot."""
-        if curve == self._curve:
-            return
-        self._curve = curve
-        if not self._hand.is_dragging:  # what the mouse means stays while it holds something
-            self._limits = limits_of(curve.knots)
-        letters = curve.place.direction.knot_letters
-        values = [f"{letter} {number_text(value)}" for letter, value in zip(letters, curve.knots, strict=True)]
-        name = curve.place.direction.curve_name(curve.place.curve)
-        self.setAccessibleName(f"Transformations of {name} with its knots as handles")
-        self.setAccessibleDescription(", ".join(values))
-        self.update()
-
-    def show_hover(self, u: float | None) -> None:
-        """Mark a parameter; None takes the mark away."""
-        if u != self._hover:
-            self._hover = u
-            self.update()
-
-    def handle_at(self, name: str) -> QPointF:
-        """Return where a knot's handle is, in the widget's pixels."""
-        return QPointF() if self._curve is None else self._frame.at(*handle_places(self._curve.knots)[name])
-
-    @property
-    def _frame(self) -> Frame:
-        return frame_in(QRectF(self.rect()), self._limits)
-
-    @property
-    def _has_room(self) -> bool:
-        return self.height() >= LOWEST and self.width() >= _NARROWEST
 
     def _knot(self, name: str) -> KnotInHand | None:
         curve = self._curve
@@ -223,25 +166,3 @@ class KnotPlot(QWidget):
         if name != self._used:
             self._used = name
             self.update()
-
-    # The picture
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        super().paintEvent(event)
-        curve, held = self._curve, self._hand.knot
-        if curve is None or not self._has_room:
-            return
-        picture = KnotPicture(
-            curve.knots,
-            curve.place.direction,
-            self._frame,
-            theme_in_force(),
-            used=self._used if held is None else held.place.name,
-            begun=held.value if held is not None and self._hand.is_dragging else None,
-            typed=self._hand.typed if held is not None else "",
-            is_possible=self._hand.is_possible,
-            hover=self._hover,
-        )
-        with painting(self) as painter:
-            painter.setFont(self.small_font)
-            picture.paint(painter)

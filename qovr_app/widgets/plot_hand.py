@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QPointF
+from PySide6.QtCore import QLineF, QPointF
 
 from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.widgets.dragger import FINE
 from qovr_app.widgets.knot_hand import KnotHand
-from qovr_app.widgets.knot_picture import Frame
+from qovr_app.widgets.knot_picture import Frame, handle_places
+from qovr_core.geometry.knots import Knots
 
 
 class PlotHand(KnotHand):
@@ -32,3 +33,11 @@ class PlotHand(KnotHand):
     @property
     def _name(self) -> str:
         return "" if self._knot is None else self._knot.place.name
+
+
+def nearest_knot(frame: Frame, knots: Knots, at: QPointF, reach: float) -> str:
+    """Return the knot whose handle is nearest to a pixel, within reach; empty for none."""
+    places = {name: frame.at(*place) for name, place in handle_places(knots).items()}
+    away = {name: QLineF(at, place).length() for name, place in places.items()}
+    name = min(away, key=lambda each: away[each])
+    return name if away[name] <= reach else ""

@@ -12,7 +12,8 @@ from qovr_app.state.knot_links import window_along
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
-from qovr_app.widgets.knot_plot import LOWEST, KnotPlot
+from qovr_app.widgets.knot_canvas import LOWEST
+from qovr_app.widgets.knot_plot import KnotPlot
 from qovr_core.edits import Zone, knots_of
 from qovr_core.geometry.knots import Direction, KnotPlace
 
@@ -33,14 +34,16 @@ class KnotTransformations(QWidget):
         layout.addWidget(self._title)
         layout.addWidget(self._plot, 1)
 
+    def sizeHint(self) -> QSize:
+        """Return no height of its own: it fills what the fields leave."""
+        return self.minimumSizeHint()
+
     def minimumSizeHint(self) -> QSize:
         return QSize(self._plot.minimumSizeHint().width(), 0)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        has_room = self.height() >= LOWEST + self._title.sizeHint().height() + 3 * SPACE
-        self._title.setVisible(has_room)
-        self._plot.setVisible(has_room)
+        self._title.setVisible(self.height() >= LOWEST + self._title.sizeHint().height() + 3 * SPACE)
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         """Show the curve in focus, or the one whose knot had the keyboard last; the first one before any had it."""
