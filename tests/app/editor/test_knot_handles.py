@@ -265,7 +265,7 @@ def test_handles_are_hidden_by_a_command_by_letting_go_and_in_figures(hands, hom
         hands.view.save_figure(path, FigureOptions(dpi=60))
         return path.read_bytes()
 
-    assert [handle.place.name for handle in seen()] == ["r", "u", "t"]
+    assert [handle.knot.place.name for handle in seen()] == ["r", "u", "t"]
     with_handles = picture()
     hands.editor.trigger("show_knot_handles")
     assert seen() == []
