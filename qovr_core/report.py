@@ -10,6 +10,7 @@ from qovr_core.evaluation import Evaluation
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.geometry.folding import folding_parts
 from qovr_core.geometry.knots import Direction
+from qovr_core.laboratory.combs import fairness_facts
 
 
 def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
@@ -25,6 +26,7 @@ def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
         "matrix": evaluation.matrix.tolist(),
         "flat_axes": list(evaluation.flat_axes),
         "folding": folding_curves(document),
+        "comb_changes": fairness_facts(evaluation),
         "without_effect": [
             f"{direction}[{curve}]"
             for direction in Direction
@@ -58,6 +60,9 @@ def facts_text(facts: dict[str, Any]) -> str:
         "matrix T",
         *("  " + " ".join(f"{value:>18.12g}" for value in row) for row in facts["matrix"]),
     ]
+    combs = facts["comb_changes"]
+    sums = (f"{name} {'infinite' if combs[name] is None else format(combs[name], '.6g')}" for name in "uv")
+    lines.append(f"comb changes     {', '.join(sums)} in 1 / length, over {combs['isolines']} isolines along each")
     if facts["flat_axes"]:
         lines.append(
             f"flat             the raw surface has no extent along {', '.join(facts['flat_axes'])}: T only moves there"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QWidget
 
+from qovr_app.laboratory.comb_choice import CombChoice
 from qovr_app.laboratory.curve_drawings import Drawing
 from qovr_app.state.editor_state import Focus
 from qovr_app.style.spacing import SPACE
@@ -44,6 +45,7 @@ class CurveBar(QWidget):
         self._view.addItems(list(_VIEWS.values()))
         self._equal = named(QCheckBox("Equal scales", self), f"{_NAME}.equal_scales")
         self._equal.setToolTip("Draw both directions of the plane at one scale")
+        self._comb = CombChoice(_NAME, self)
         self._drawing = named(QComboBox(self), f"{_NAME}.drawing", "Figure to save")
         self._drawing.setToolTip(
             "What Save Figure writes: the curve as it is shown here, or as in the paper's Figures 1 and 2"
@@ -71,6 +73,11 @@ class CurveBar(QWidget):
     def has_equal_scales(self) -> bool:
         """Whether both directions of the plane are drawn at one scale."""
         return self._equal.isChecked()
+
+    @property
+    def comb(self) -> CombChoice:
+        """Whether the curve has its comb, and how long the teeth are."""
+        return self._comb
 
     @property
     def drawing(self) -> Drawing:
@@ -104,7 +111,7 @@ class CurveBar(QWidget):
         layout = QHBoxLayout(self)
         layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
         layout.setSpacing(2 * SPACE)
-        for widget in (self._curve, self._view, self._equal):
+        for widget in (self._curve, self._view, self._equal, self._comb):
             layout.addWidget(widget)
         layout.addStretch(1)
         layout.addWidget(self._drawing)

@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.laboratory.curve_comb import NO_COMB, CombLines
 from qovr_app.laboratory.pg import make_brush
 from qovr_app.laboratory.plots import Line, Plot
 from qovr_app.style.symbols import coloured, symbol_html
@@ -35,6 +36,7 @@ class GeometryPlot(Plot):
         self.view_box.setDefaultPadding(_ROOM_FOR_LABELS)
         self._shown: tuple[OneCurve, Plane] | None = None
         self._polygon = self.make_line()
+        self._comb, self._comb_scale = CombLines(self), NO_COMB
         self._auxiliary = [self.make_line(bounds=False) for _ in range(3)]
         self._blended = [self.make_line() for _ in range(3)]
         self._whole = [self.make_line() for _ in range(3)]
@@ -58,6 +60,7 @@ class GeometryPlot(Plot):
         ):
             for line, colour in zip(lines, parts, strict=True):
                 line.setPen(self.pen((*colour, alpha), width, style))
+        self._comb.show_theme(theme)
         self._line.setPen(self.pen(theme.ink, 2.4))
         for line in self._backward:
             line.setPen(self.pen(theme.warn, 2.4))
@@ -79,6 +82,13 @@ class GeometryPlot(Plot):
             if label != self.getAxis(side).labelText:
                 self.setLabel(side, label)
         self._draw(curve, plane)
+
+    def show_comb(self, scale: float | None) -> None:
+        """Show the comb with teeth so many times as long as at first; None takes it away."""
+        if scale != self._comb_scale:
+            self._comb_scale = scale
+            if self._shown is not None:
+                self._draw(*self._shown)
 
     def show_hover(self, u: float | None) -> None:
         """Mark the place of a parameter on the curve, and the three that are blended there; None takes marks away."""
@@ -110,6 +120,7 @@ class GeometryPlot(Plot):
             for line, (first, last) in ((self._blended[p], curve.blended[p]), (self._auxiliary[p], curve.auxiliary[p])):
                 _set(line, drawn(curve.parabola(p, np.linspace(first, last, len(SAMPLES)))))
         _set(self._line, drawn(curve.at(SAMPLES)))
+        self._comb.show_curve(curve, plane, self._comb_scale)
         parts = [drawn(curve.at(np.linspace(*part, 41))) for part in curve.folding_parts]
         for line, part in zip_longest(self._backward, parts):
             _set(line, points[:0] if part is None else part)

@@ -10,6 +10,7 @@ from qovr_app.laboratory.curve_plots import CurvePlots
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import ValuesEdited
+from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import DrawingAsked
 from qovr_app.store import Store
 from qovr_app.style.theme import theme_of
@@ -28,6 +29,8 @@ class CurvePanel(LaboratoryPanel):
         self._bar = CurveBar(self)
         self._plots = CurvePlots(self)
         self._bar.choice_changed.connect(lambda: self._show_curve(self.store.shown))
+        self._bar.comb.toggled.connect(lambda _is_wanted: self._show_comb(self.store.shown))
+        self._bar.comb.scaled.connect(lambda scale: store.dispatch(DisplayChosen("comb_scale", scale)))
         self._bar.scales_linked.connect(self._plots.set_equal_scales)
         self._bar.figure_requested.connect(self._save_figure)
         self._plots.knots_moved.connect(self._on_knots_moved)
@@ -45,12 +48,18 @@ class CurvePanel(LaboratoryPanel):
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         if before is None or before.display.theme != after.display.theme:
             self._plots.show_theme(theme_of(after.display.theme))
+        if before is None or before.display.comb_scale != after.display.comb_scale:
+            self._show_comb(after)
         if after.differs(before, "document"):
             self._bar.show_curves(after.document)
         if before is None or before.focus != after.focus:
             self._bar.follow(after.focus)
         if after.differs(before, "shown_document"):
             self._show_curve(after)
+
+    def _show_comb(self, state: EditorState) -> None:
+        self._bar.comb.show_scale(state.display.comb_scale)
+        self._plots.show_comb(state.display.comb_scale if self._bar.comb.is_wanted else None)
 
     def _show_curve(self, state: EditorState) -> None:
         document = state.shown_document

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import isfinite
+
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
 
@@ -9,10 +11,12 @@ from qovr_app.laboratory.curve_functions import FunctionPlot, WeightsPlot
 from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
 from qovr_app.laboratory.plots import Captioned
+from qovr_app.laboratory.wording import value_text
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
 from qovr_core.formulations import Formulation
+from qovr_core.laboratory.combs import comb_changes
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import View
 from qovr_core.number_texts import number_text
@@ -46,6 +50,7 @@ class CurvePlots(QWidget):
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown: tuple[OneCurve, Formulation] | None = None
+        self._has_comb = False
         self._geometry = GeometryPlot(self)
         parabolas = [symbol_html("w", str(p)) for p in range(3)]
         points = [symbol_html("b", str(k)) for k in range(5)]
@@ -80,6 +85,12 @@ class CurvePlots(QWidget):
         """Draw both directions of the curve's plane at one scale, or each as large as there is room."""
         self._geometry.setAspectLocked(are_equal)
 
+    def show_comb(self, scale: float | None) -> None:
+        """Show the curve's comb, its teeth so many times as long as at first, and its number; None takes both away."""
+        self._has_comb = scale is not None
+        self._geometry.show_comb(scale)
+        self._show_captions(None)
+
     def show_curve(self, curve: OneCurve, formulation: Formulation, view: View) -> None:
         """Show a curve in a plane, as a formulation uses it."""
         self._shown = curve, formulation
@@ -99,7 +110,7 @@ class CurvePlots(QWidget):
         if self._shown is None:
             return
         curve, formulation = self._shown
-        captions = _titles(curve, formulation) if u is None else _place_texts(curve, u)
+        captions = _titles(curve, formulation, has_comb=self._has_comb) if u is None else _place_texts(curve, u)
         over_geometry, *over_functions = self._captions
         over_geometry.say(*captions)
         if u is None:
@@ -130,12 +141,16 @@ def _in_a_row(texts: list[str]) -> str:
     return "&nbsp; ".join(texts)
 
 
-def _titles(curve: OneCurve, formulation: Formulation) -> tuple[str, str]:
+def _titles(curve: OneCurve, formulation: Formulation, *, has_comb: bool) -> tuple[str, ...]:
     """Return what stands over the curve, at length and shorter."""
     name = f"<b>{symbol_html(curve.direction.letter, str(curve.number))}</b>(<i>{curve.parameter}</i>)"
     if not formulation.is_active(curve.direction, curve.number):
         return f"{name}: no effect on the {formulation} surface", f"{name}: no effect"
     short = f"{name}, degree {curve.knots.degree}"
+    if has_comb:
+        changes = float(comb_changes(curve.coefficients[None])[0])
+        number = f"comb changes {value_text(changes)} / length" if isfinite(changes) else "comb changes without end"
+        return f"{short}&nbsp;&nbsp; sum of {number}", f"{name}: {number}", number
     return f"{short}&nbsp;&nbsp; broad: blended&nbsp;&nbsp; dashed: beyond its points", short
 
 

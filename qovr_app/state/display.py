@@ -134,7 +134,8 @@ class DisplaySettings:
 
     ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera. ``shares_range``
     lets a colour mean the same in both layers where both are shown. ``always_fits`` lets axes and colours follow every
-    edit, not only another document, formulation or layer.
+    edit, not only another document, formulation or layer. ``combs_u`` and ``combs_v`` are curvature combs on isolines
+    along u and v, their teeth ``comb_scale`` times as long as at first.
     """
 
     layer: LayerChoice = LayerChoice.TRANSFORMED
@@ -153,6 +154,9 @@ class DisplaySettings:
     control_net: bool = True
     row_curves: bool = False
     column_curves: bool = False
+    combs_u: bool = False
+    combs_v: bool = False
+    comb_scale: float = 1.0
     control_box: bool = False
     surface_box: bool = False
     knot_handles: bool = True

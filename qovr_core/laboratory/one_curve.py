@@ -69,6 +69,11 @@ class OneCurve:
         """The letter of its parameter, u or v."""
         return self.direction.parameter
 
+    @property
+    def coefficients(self) -> Array:
+        """Its Bernstein coefficients, (7, 3)."""
+        return read_only(self._coefficients)
+
     @np.errstate(under="ignore")
     def at(self, u: npt.ArrayLike) -> Array:
         """Return the points of the curve at parameters (n,), as (n, 3)."""

@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.combs import combs_along
 from qovr_app.view3d.scene.frame import Frame
 from qovr_app.view3d.scene.net_marks import gaps
 from qovr_app.view3d.scene.picture import Picture
@@ -25,6 +26,7 @@ _LEAST_GAP, _LEAST_LINES = 8.0, 32
 
 COMPARISON_WIDTH = 1.2
 _NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
+_TOOTH_WIDTH, _TIPS_WIDTH = 0.7, 1.3
 _GONE = 2
 """What a piece of a line is that cannot be drawn, beside dim, 1, and not, 0."""
 
@@ -73,8 +75,23 @@ def lines_of(picture: Picture, size: Size) -> list[Lines]:
     if settings.column_curves:
         curves = scene.column_curves[_shown_rows(picture.net_points.transpose(1, 0, 2))]
         found.append(Lines(curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
+    found += _combs(picture)
     if len(scene.lines):
         found.append(Lines(scene.lines, theme.comparison, COMPARISON_WIDTH, name=scene.lines_name))
+    return found
+
+
+def _combs(picture: Picture) -> list[Lines]:
+    """Return the teeth of curvature combs and the lines along their tips."""
+    settings, theme = picture.settings, picture.theme
+    found = []
+    for is_shown, is_u, colour in (
+        (settings.combs_u, True, theme.comparison),
+        (settings.combs_v, False, theme.series[2]),
+    ):
+        if is_shown:
+            combs, name = combs_along(picture.scene, is_u=is_u, scale=settings.comb_scale), f"Comb along {'vu'[is_u]}"
+            found += [Lines(combs.teeth, colour, _TOOTH_WIDTH, 1), Lines(combs.tips, colour, _TIPS_WIDTH, name=name)]
     return found
 
 

@@ -10,7 +10,7 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLabel, QSpinBox
+from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLabel, QSlider, QSpinBox
 
 from qovr_app.laboratory.curve_drawings import Drawing
 from qovr_app.state.display import ThemeName
@@ -21,6 +21,7 @@ from qovr_core import FileError, Formulation, curve_network
 from qovr_core.edits import Direction, KnotPlace, set_values
 from qovr_core.geometry.bernstein import basis
 from qovr_core.geometry.weights import CURVE_DEGREE
+from qovr_core.laboratory.combs import comb_changes
 from qovr_core.laboratory.one_curve import SAMPLES, curve_of
 from qovr_core.laboratory.planes import View, plane_of
 from support.editor import wait_until
@@ -179,6 +180,36 @@ def test_the_fold_back_is_marked(panel):
     editor.type_into("row_knots.C_4.s", "0.98")
     low, high = plot.view_box.viewRange()[1]
     assert low < 0 < plot.values[:, 1].max() < high
+
+
+def test_the_comb_stands_on_the_curve_and_its_number_over_it(panel):
+    geometry = plot_of(panel, "geometry")
+
+    def lines():
+        found = [np.stack(line.getData(), axis=1) for line in geometry.listDataItems() if line.getData()[0] is not None]
+        return [line for line in found if len(line)]
+
+    without = len(lines())
+    panel.editor.find("laboratory.curve.comb", QCheckBox).click()
+    panel.editor.settle()
+    feet = plane_of(panel.curve.points, View.BEST).drawn(panel.curve.at(SAMPLES))
+    assert len(lines()) == without + 2
+    (teeth,) = (line.reshape(-1, 3, 2) for line in lines() if np.isnan(line).any())
+    assert teeth[:, 0] == pytest.approx(feet[::2])
+    (changes,) = comb_changes([panel.curve.coefficients])
+    assert f"comb changes {changes:.4g}" in caption(panel, "geometry")
+    before = np.nanmax(np.abs(teeth[:, 1] - teeth[:, 0]))
+    slider = panel.editor.find("laboratory.curve.comb_scale", QSlider)
+    for _ in range(6):
+        panel.editor.key(Qt.Key.Key_Right, widget=slider)
+    (longer,) = (line.reshape(-1, 3, 2) for line in lines() if np.isnan(line).any())
+    scale = panel.editor.window.store.state.display.comb_scale
+    assert scale == pytest.approx(10**0.3)
+    assert np.nanmax(np.abs(longer[:, 1] - longer[:, 0])) == pytest.approx(scale * before)
+    panel.editor.find("laboratory.curve.comb", QCheckBox).click()
+    panel.editor.settle()
+    assert len(lines()) == without
+    assert "comb" not in caption(panel, "geometry")
 
 
 def test_hovering_says_the_values(panel):

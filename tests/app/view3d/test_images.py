@@ -114,6 +114,8 @@ def pixels_of(image):
         "control_net",
         "row_curves",
         "column_curves",
+        "combs_u",
+        "combs_v",
         "control_box",
         "surface_box",
         "axes",
