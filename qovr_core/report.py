@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
+
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.evaluation import Evaluation
 from qovr_core.formulations import FORMULATIONS
+from qovr_core.geometry.combs import ISOLINES, comb_changes, isolines
 from qovr_core.geometry.folding import folding_parts
 from qovr_core.geometry.knots import Direction
-from qovr_core.laboratory.combs import fairness_facts
 
 
 def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
@@ -33,6 +35,21 @@ def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
             for curve in range(len(knots_of(document, direction)))
             if not document.formulation.is_active(direction, curve)
         ],
+    }
+
+
+def fairness_facts(evaluation: Evaluation) -> dict[str, Any]:
+    """Return the sums of comb changes of the surface in the layer that lies on the net, ready for JSON.
+
+    ``u`` and ``v`` are sums over ``isolines`` lines along each; None stands for a line that stops.
+    """
+    layer = evaluation.document.formulation.resting_layer
+    along_u, along_v = (comb_changes(lines) for lines in isolines(evaluation.layer_patch(layer)))
+    sums = {name: float(changes.sum()) for name, changes in (("u", along_u), ("v", along_v))}
+    return {
+        "layer": str(layer),
+        "isolines": ISOLINES,
+        **{name: total if np.isfinite(total) else None for name, total in sums.items()},
     }
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from qovr_app.laboratory.plots import Plot
 from qovr_app.style.theme import Theme
-from qovr_core.laboratory.combs import comb
+from qovr_core.geometry.combs import comb
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import Plane
 

@@ -16,7 +16,7 @@ from qovr_app.style.palette import theme_in_force
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
 from qovr_core.formulations import Formulation
-from qovr_core.laboratory.combs import comb_changes
+from qovr_core.geometry.combs import comb_changes
 from qovr_core.laboratory.one_curve import SAMPLES, OneCurve
 from qovr_core.laboratory.planes import View
 from qovr_core.number_texts import number_text

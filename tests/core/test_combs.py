@@ -7,7 +7,8 @@ from hypothesis import strategies as st
 
 from qovr_core import Evaluation, Formulation
 from qovr_core.geometry.bernstein import basis
-from qovr_core.laboratory.combs import comb, comb_changes, curvature_vectors, fairness_facts, isolines
+from qovr_core.geometry.combs import comb, comb_changes, curvature_vectors, isolines
+from qovr_core.report import fairness_facts
 from support.documents import random_document, seeds
 
 PARABOLA = np.array([[-1, 1, 0], [-1 / 3, -1 / 3, 0], [1 / 3, -1 / 3, 0], [1, 1, 0.0]])

@@ -8,7 +8,7 @@ import numpy as np
 
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array, read_only
-from qovr_core.laboratory.combs import ISOLINES, curvature_vectors
+from qovr_core.geometry.combs import ISOLINES, curvature_vectors
 
 _TEETH = 49
 _LONGEST = 0.4

@@ -20,8 +20,8 @@ from qovr_app.style.palette import set_theme
 from qovr_core import FileError, Formulation, curve_network
 from qovr_core.edits import Direction, KnotPlace, set_values
 from qovr_core.geometry.bernstein import basis
+from qovr_core.geometry.combs import comb_changes
 from qovr_core.geometry.weights import CURVE_DEGREE
-from qovr_core.laboratory.combs import comb_changes
 from qovr_core.laboratory.one_curve import SAMPLES, curve_of
 from qovr_core.laboratory.planes import View, plane_of
 from support.editor import wait_until

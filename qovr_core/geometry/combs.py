@@ -12,13 +12,11 @@ through the same points the one with less of it is the fairer.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, Flags, Indices, read_only
-from qovr_core.evaluation import Evaluation
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.rounding import ROUNDING
@@ -101,21 +99,6 @@ def isolines(patch: Patch, count: int = ISOLINES) -> tuple[Array, Array]:
         read_only(np.einsum("nb,abk->nak", basis, patch.coefficients)),
         read_only(np.einsum("na,abk->nbk", basis, patch.coefficients)),
     )
-
-
-def fairness_facts(evaluation: Evaluation) -> dict[str, Any]:
-    """Return the sums of comb changes of the surface in the layer that lies on the net, ready for JSON.
-
-    ``u`` and ``v`` are sums over ``isolines`` lines along each; None stands for a line that stops.
-    """
-    layer = evaluation.document.formulation.resting_layer
-    along_u, along_v = (comb_changes(lines) for lines in isolines(evaluation.layer_patch(layer)))
-    sums = {name: float(changes.sum()) for name, changes in (("u", along_u), ("v", along_v))}
-    return {
-        "layer": str(layer),
-        "isolines": ISOLINES,
-        **{name: total if np.isfinite(total) else None for name, total in sums.items()},
-    }
 
 
 def _derivatives(curves: Array) -> list[Array]:
