@@ -76,7 +76,7 @@ class MainWindow(QMainWindow):
         self.setObjectName("main_window")
         self._preferences, self._is_asked = preferences, False
         self._windows = windows or Windows(MainWindow)
-        self._recovery: RecoveryWriter | None = None
+        self.recovery: RecoveryWriter | None = None
         turn = QTimer(self, singleShot=True, interval=0)
         self.store = Store(_first_state(source, preferences), turn.start)
         turn.timeout.connect(self.store.flush)
@@ -90,7 +90,7 @@ class MainWindow(QMainWindow):
         exports = ExportShell(
             self.store, self, folder, self.worker, preferences, view_writer=view_writer, commit_typed=commit
         )
-        self._offer = RecoveryOffer(self._documents, self.store, self.worker, self)
+        self._offer = RecoveryOffer(self._documents, self._windows, self.worker, self)
         self._outside, self._watch = OutsideOffer(self.store, self), FileWatch(self.store, self)
         parts = LayoutShell(self.store, self.parts, self)
         shell = Shell(
@@ -138,10 +138,10 @@ class MainWindow(QMainWindow):
 
     def protect(self, recovery: RecoveryStore) -> None:
         """Keep what is not saved where a crash does not reach it, and offer what an earlier run left there."""
-        self._recovery = RecoveryWriter(recovery, self.worker, self)
-        self._recovery.failed.connect(lambda reason: self.store.dispatch(MessageShown(reason, is_refusal=True)))
-        self.store.subscribe(self._recovery.show_state)
-        self._offer.offer(recovery, self._recovery)
+        self.recovery = RecoveryWriter(recovery, self.worker, self)
+        self.recovery.failed.connect(lambda reason: self.store.dispatch(MessageShown(reason, is_refusal=True)))
+        self.store.subscribe(self.recovery.show_state)
+        self._offer.offer(recovery)
 
     def _assemble(self, folder: Folder) -> None:
         middle = QWidget(self)
@@ -235,8 +235,8 @@ class MainWindow(QMainWindow):
         self._offer.release()
         self.worker.close()
         self._notices.close()
-        if self._recovery is not None:
-            self._recovery.close(is_wanted=keeps_unsaved)
+        if self.recovery is not None:
+            self.recovery.close(is_wanted=keeps_unsaved)
 
 
 def _first_state(source: str | None, preferences: Preferences | None) -> EditorState:

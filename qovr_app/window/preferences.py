@@ -10,7 +10,7 @@ from typing import Any
 
 from PySide6.QtCore import QByteArray, QSettings
 
-from qovr_app.state.display import ColourMap, ColourRange, DisplaySettings
+from qovr_app.state.display import ColourRange, DisplaySettings
 from qovr_app.state.tools import ToolSettings, check_setting
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core import QovrError
@@ -29,9 +29,6 @@ _FORGOTTEN = (
 
 _CONVENTIONS = ("unit", "up", "csv_dialect")
 """The choices of an export that are of a person's other programs, and not of one document."""
-
-WORKING_MAP = ColourMap.CIVIDIS
-"""The colours to work with while nobody has chosen others; jet, the paper's, has edges where the surface has none."""
 
 _SET_ASIDE = ".damaged"
 """What is added to the name of a file that cannot be read."""
@@ -113,7 +110,7 @@ class Preferences:
 
     def display(self, first: DisplaySettings) -> DisplaySettings:
         """Return ``first`` with every remembered choice in it."""
-        chosen = {"colour_map": WORKING_MAP, **self._chosen("view", first)}
+        chosen = self._chosen("view", first)
         if chosen.get("colour_by") not in colour_sources():
             chosen.pop("colour_by", None)
         return replace(first, **chosen)

@@ -9,12 +9,12 @@ from typing import Any
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.dialogs.preferences_dialog import PreferenceRow, PreferencesDialog
-from qovr_app.state.display import ColourMap, MouseScheme, ThemeChoice
+from qovr_app.state.display import ColourMap, DisplaySettings, MouseScheme, ThemeChoice
 from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import PreferencesAsked
 from qovr_app.style.digits import ALL_DIGITS, USUAL_DIGITS, set_digits
 from qovr_app.style.palette import choose_theme
-from qovr_app.window.preferences import WORKING_MAP, Preferences
+from qovr_app.window.preferences import Preferences
 from qovr_app.window.shell import Answers
 from qovr_app.window.windows import Windows
 from qovr_core.files.conventions import Unit, Up
@@ -98,7 +98,7 @@ PREFERENCES = (
                 MouseScheme.BLENDER.value: "Blender: middle orbits, Shift+middle pans",
                 MouseScheme.CAD.value: "CAD: middle orbits, Ctrl+middle pans",
             },
-            MouseScheme.BLENDER.value,
+            DisplaySettings().mouse.value,
         ),
         _display("mouse", MouseScheme),
     ),
@@ -114,7 +114,7 @@ PREFERENCES = (
                 ColourMap.TURBO.value: "Turbo",
                 ColourMap.JET.value: "Jet, as in the paper's figures",
             },
-            WORKING_MAP.value,
+            DisplaySettings().colour_map.value,
         ),
         _display("colour_map", ColourMap),
     ),

@@ -7,21 +7,23 @@ from contextlib import suppress
 from datetime import datetime
 from functools import partial
 from threading import Thread
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.intents import Opened
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import RecoveryAnswered
-from qovr_app.store import Store
 from qovr_app.widgets.notice import Notice
 from qovr_app.window.document_shell import DocumentShell
-from qovr_app.window.recovery import RecoveryStore, Unsaved
-from qovr_app.window.recovery_writer import RecoveryWriter
+from qovr_app.window.recovery import RecoveryStore, Snapshot, Unsaved
 from qovr_app.window.shell import Answers
+from qovr_app.window.windows import Windows
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
+
+if TYPE_CHECKING:
+    from qovr_app.window.main_window import MainWindow
 
 _PATIENCE_SECONDS = 0.2
 """A disk of this computer has told by then; a share that takes longer is waited for without holding the window up."""
@@ -34,25 +36,24 @@ class RecoveryOffer(QObject):
 
     _looked = Signal(object)
 
-    def __init__(self, documents: DocumentShell, store: Store, worker: Worker, parent: QWidget) -> None:
-        super().__init__(parent)
-        self._documents, self._store, self._worker = documents, store, worker
-        self._writer: RecoveryWriter | None = None
+    def __init__(self, documents: DocumentShell, windows: Windows, worker: Worker, window: MainWindow) -> None:
+        super().__init__(window)
+        self._documents, self._windows, self._worker, self._window = documents, windows, worker, window
+        self._store = window.store
         self._unsaved: list[Unsaved] = []
         self._is_closed = False
         self._looked.connect(self._on_looked)
         self.answers: Answers = {RecoveryAnswered: self._answer}
-        self.notice = Notice("recovery", parent)
+        self.notice = Notice("recovery", window)
         for name, text, tip in (
             ("restore", "Restore", "Go on with the unsaved document"),
             ("discard", "Discard", "Delete the unsaved document"),
         ):
             answer = RecoveryAnswered(is_wanted=name == "restore")
-            self.notice.add_answer(name, text, tip, partial(store.dispatch, answer))
+            self.notice.add_answer(name, text, tip, partial(self._store.dispatch, answer))
 
-    def offer(self, recovery: RecoveryStore, writer: RecoveryWriter) -> None:
+    def offer(self, recovery: RecoveryStore) -> None:
         """Offer what earlier runs left unsaved, as soon as it is known."""
-        self._writer = writer
         looked: Future[Found] = Future()
         Thread(target=_look, args=(recovery, looked), daemon=True).start()
         wait([looked], _PATIENCE_SECONDS)
@@ -83,21 +84,24 @@ class RecoveryOffer(QObject):
 
     def _answer(self, request: RecoveryAnswered) -> None:
         """Go on with the document that is offered, or delete it."""
-        entry = self._unsaved[0]
-        if request.is_wanted:
-            kept = entry.snapshot
-            message = f"Restored {kept.title}; it is not saved yet."
-            restored = Opened(
-                kept.document, kept.title, kept.path, kept.stamp, is_saved=False, message=message, draft=kept.draft
-            )
-            if not self._documents.go_on_with(restored):
-                return
-        self._unsaved.pop(0)
-        if request.is_wanted and self._writer is not None:
-            self._writer.supersede(entry, self._store.state)
+        entry = self._unsaved.pop(0)
+        window = self._restored(entry.snapshot) if request.is_wanted else None
+        if window is not None and window.recovery is not None:
+            window.recovery.supersede(entry, window.store.state)
         else:
             self._worker.in_thread(entry.remove, on_failed=self._on_not_removed)
         self._ask()
+
+    def _restored(self, kept: Snapshot) -> MainWindow:
+        """Go on with a document here, or beside what is not saved here; return the window that does."""
+        message = f"Restored {kept.title}; it is not saved yet."
+        restored = Opened(
+            kept.document, kept.title, kept.path, kept.stamp, is_saved=False, message=message, draft=kept.draft
+        )
+        if self._store.state.is_changed:
+            return self._windows.take(restored)
+        self._documents.go_on_with(restored)
+        return self._window
 
     def _on_not_removed(self, error: QovrError) -> None:
         self._store.dispatch(MessageShown(f"{error}.", is_refusal=True))

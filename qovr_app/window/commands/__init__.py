@@ -20,7 +20,6 @@ def command_table() -> tuple[Command, ...]:
         *edit_commands(),
         *field_commands(),
         *selection_commands(),
-        *preference_commands(),
         *point_commands(),
         *hiding_commands(),
         *tool_commands(),
@@ -29,6 +28,7 @@ def command_table() -> tuple[Command, ...]:
         *go_commands(),
         *laboratory_commands(),
         *probe_commands(),
+        *preference_commands(),
         *window_commands(),
         *help_commands(),
     )

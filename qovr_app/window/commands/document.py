@@ -10,6 +10,7 @@ from qovr_app.state import intents, knot_intents, requests
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent
 from qovr_app.window.commands.command import Command, asking
+from qovr_app.window.commands.points import repeat_command
 from qovr_core.files.sources import PRESET_PREFIX
 from qovr_core.presets import presets
 from qovr_core.shapes import SHAPES, Shape
@@ -109,6 +110,7 @@ def edit_commands() -> tuple[Command, ...]:
             is_enabled=lambda state: state.history.redo_text is not None,
             noun=lambda state: state.history.redo_text or "",
         ),
+        repeat_command(),
         Command(
             "copy",
             "&Copy points",

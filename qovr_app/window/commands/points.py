@@ -86,7 +86,12 @@ def point_commands() -> tuple[Command, ...]:
         )
         for name, (edit, text, tip) in _EDITS.items()
     )  # fmt: skip
-    repeat = Command(
+    return (transform, *edits, *_nudges(), *_symmetries())
+
+
+def repeat_command() -> Command:
+    """Return the command that does the last edit of points again."""
+    return Command(
         "repeat",
         "Rep&eat",
         lambda state: point_intents.PointsEdited(_last_edit(state) or Smooth(), state.selection.indices),
@@ -97,7 +102,6 @@ def point_commands() -> tuple[Command, ...]:
         noun=lambda state: getattr(_last_edit(state), "verb", ""),
         needs="Move, scale, rotate, flatten, align or smooth points first, and select some",
     )
-    return (repeat, transform, *edits, *_nudges(), *_symmetries())
 
 
 def _more(name: str, text: str, tip: str, axis: int) -> Command:

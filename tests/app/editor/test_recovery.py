@@ -17,6 +17,7 @@ from qovr_app.window.recovery import recovery_folder
 from qovr_core.files import read_document, write_document
 from qovr_core.files.qovr_document import document_from_json
 from qovr_core.presets import preset
+from support.editor import opened_windows
 
 TESTS = Path(__file__).resolve().parents[2]
 KILLS = 8
@@ -79,6 +80,26 @@ def test_a_living_window_keeps_its_own(make_editor):
     second.type_into("row_knots.C_0.r", "0.7")
     QTest.qWait(400)
     assert recovery_files() == ["lock", "lock", "unsaved.json", "unsaved.json"]
+
+
+def test_each_of_several_documents_is_restored_in_a_window_of_its_own(make_editor, home):
+    heights = {0.71, 0.82, 0.93}
+    for height in heights:
+        lost = make_editor()
+        lost.type_into("control_points.P_2_2.z", str(height))
+        QTest.qWait(200)
+    crash(lost, home)
+    editor = make_editor()
+    assert "(2 more)" in editor.find("recovery.text").text()
+    for _ in heights:
+        editor.click("recovery.restore")
+    assert not editor.find("recovery").isVisible()
+    restored = opened_windows()[-len(heights) :]
+    assert restored[0] is editor.window
+    assert {window.store.state.document.control_points[2, 2, 2] for window in restored} == heights
+    assert all(window.isWindowModified() for window in restored)
+    for window in restored[1:]:
+        window.leave()
 
 
 def test_an_offer_that_was_not_answered_is_made_again(make_editor, home):
