@@ -22,14 +22,13 @@ from qovr_app.state.requests import (
     CopyAsked,
     PaperLookAsked,
     RangeAsked,
-    UnderlayAsked,
-    UnderlayPlaceAsked,
     ViewRestartAsked,
 )
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.window.commands.cameras import camera_commands
 from qovr_app.window.commands.command import Command, asking
 from qovr_app.window.commands.switches import is_on, switching
+from qovr_app.window.commands.underlay import underlay_commands
 
 _BEGIN_PARTS = {"scaling_each"}
 """Choices before which the menu has a line."""
@@ -190,14 +189,6 @@ def _switch_commands() -> list[Command]:
     return [*shown, shared, probe]
 
 
-def _has_underlay(state: EditorState) -> bool:
-    return state.display.underlay is not None
-
-
-_UNDERLAY = "&View/Refe&rence picture"
-_NEEDS_UNDERLAY = "Choose a reference picture first"
-
-
 def _view_commands() -> list[Command]:
     return [
         Command(
@@ -218,30 +209,7 @@ def _view_commands() -> list[Command]:
             "Put what the view shows on the clipboard, as a picture at the screen's resolution",
             begins_part=True,
         ),
-        Command(
-            "underlay",
-            "&Choose…",
-            asking(UnderlayAsked()),
-            _UNDERLAY,
-            tip="Let a PNG or JPEG picture lie in the lowest plane under the net, to shape the surface after it",
-        ),
-        Command(
-            "underlay_place",
-            "&Place…",
-            asking(UnderlayPlaceAsked()),
-            _UNDERLAY,
-            tip="Say where the picture lies and how clearly it is seen",
-            is_enabled=_has_underlay,
-            needs=_NEEDS_UNDERLAY,
-        ),
-        Command(
-            "underlay_remove",
-            "&Remove",
-            asking(DisplayChosen("underlay", None)),
-            _UNDERLAY,
-            is_enabled=_has_underlay,
-            needs=_NEEDS_UNDERLAY,
-        ),
+        *underlay_commands(),
         Command(
             "restart_view",
             "Restart the vie&w",
