@@ -49,8 +49,9 @@ def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
         draw_discs(painter, seen[flags], size, Disc(_HALO_RADIUS, halo, theme.rim))
     for flags, opacity in ((hidden & ~selected, dim), (~hidden & ~selected, 1.0)):
         draw_discs(painter, seen[flags & is_seen], size, Disc(radius, theme.point, theme.rim, opacity))
-    marked_radius = _MARKED_RADIUS * max(radius, 2 * _LEAST_RADIUS) / POINT_RADIUS
-    draw_discs(painter, seen[selected & is_seen], size, Disc(marked_radius, theme.selected, theme.rim))
+    scale, chosen = max(radius, 2 * _LEAST_RADIUS) / POINT_RADIUS, seen[selected & is_seen]
+    draw_discs(painter, chosen, size, Disc(_RING_RADIUS * scale, theme.rim, theme.selected))
+    draw_discs(painter, chosen, size, Disc(_MARKED_RADIUS * scale, theme.selected, theme.rim))
     for index in (picture.last_selected, picture.hovered):
         if index is None or not is_seen[index]:
             continue

@@ -12,7 +12,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMainWindow
 
-from qovr_app.state.display import DisplaySettings, LayerChoice, MouseScheme, Projection, Scaling
+from qovr_app.state.display import ColourMap, DisplaySettings, LayerChoice, MouseScheme, Projection, Scaling
 from qovr_app.view3d.interaction import camera_motion
 from qovr_app.view3d.scene.probing import parameters_under
 from qovr_core import Formulation
@@ -383,8 +383,8 @@ def test_platforms_without_opengl_are_known(platform):
 
 
 def test_two_views_at_once(make_view, document, colour_at):
-    first = make_view(document).view
-    second = make_view(preset("fig6c").document).view
+    first = make_view(document, colour_map=ColourMap.JET).view
+    second = make_view(preset("fig6c").document, colour_map=ColourMap.JET).view
     for view in (first, second):
         image = view.image()
         hues = {image.pixelColor(x, image.height() // 2).hue() // 30 for x in range(100, image.width() - 150, 5)}
@@ -392,7 +392,7 @@ def test_two_views_at_once(make_view, document, colour_at):
 
 
 def test_a_floating_view_goes_on_drawing(make_view, document, spin):
-    view = make_view(document).view
+    view = make_view(document, colour_map=ColourMap.JET).view
     window = QMainWindow()
     window.resize(640, 480)
     window.setCentralWidget(view)
