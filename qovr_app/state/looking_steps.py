@@ -9,6 +9,7 @@ from qovr_app.state import looking_intents
 from qovr_app.state.display import PAPER_LOOK, ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
 from qovr_app.state.looking_intents import Picking
+from qovr_app.state.names import in_window_words
 from qovr_app.state.tools import check_setting
 from qovr_core import Layer, QovrError
 from qovr_core.document import NetIndex
@@ -143,4 +144,4 @@ def message_outdated(state: EditorState, intent: looking_intents.MessageOutdated
 
 def refused(state: EditorState, error: QovrError) -> EditorState:
     """Return the state that says why an intent was not followed."""
-    return with_message(state, f"{error}.", is_refusal=True)
+    return with_message(state, f"{in_window_words(str(error))}.", is_refusal=True)

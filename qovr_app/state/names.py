@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 
 from qovr_core.document import NetIndex
@@ -32,6 +33,28 @@ def label(place: Place) -> str:
     if isinstance(place, CoordinatePlace):
         return f"{AXES[place.axis].upper()} of P {place.i},{place.j}"
     return f"{place.letter}_ip of {place.direction.curve_name(place.curve)}"
+
+
+def in_window_words(text: str) -> str:
+    """Return a message in which places are called as the window calls them, and not as a document does.
+
+    Examples
+    --------
+    >>> in_window_words("column_knots[2].u is 1; control_points[0][4][2] is 2")
+    'v_ip of K_2 is 1; Z of P 0,4 is 2'
+    """
+    return _PLACE.sub(lambda found: label(_place(found)), text)
+
+
+_PLACE = re.compile(r"\b(row_knots|column_knots)\[(\d+)\]\.([rsut])\b|\bcontrol_points\[(\d+)\]\[(\d+)\]\[([012])\]")
+
+
+def _place(found: re.Match[str]) -> Place:
+    family, curve, name, *indices = found.groups()
+    if family:
+        return KnotPlace(Direction(family), int(curve), name)
+    i, j, axis = map(int, indices)
+    return CoordinatePlace(i, j, axis)
 
 
 def spoken(place: Place) -> str:

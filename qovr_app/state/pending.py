@@ -7,10 +7,11 @@ from contextlib import suppress
 
 import numpy as np
 
-from qovr_app.state.typed_numbers import typed_number
+from qovr_app.state.typed_numbers import typed_value
 from qovr_core import Document, DocumentError, edits
+from qovr_core.checks import checked_number
 from qovr_core.document import NetIndex
-from qovr_core.edits import CoordinatePlace, Place
+from qovr_core.edits import CoordinatePlace, Place, value_at
 
 
 def with_typed(draft: Document, texts: Mapping[Place, str]) -> Document:
@@ -19,10 +20,9 @@ def with_typed(draft: Document, texts: Mapping[Place, str]) -> Document:
     A text that says no number, or none that its place may hold, is no work that could be kept: it is left out.
     """
     for place, text in texts.items():
-        value = typed_number(text)
-        if isinstance(value, float):
-            with suppress(DocumentError):
-                draft = edits.set_values(draft, {place: value})
+        with suppress(DocumentError):
+            value = typed_value(text, str(place), checked_number, value_at(draft, place))
+            draft = edits.set_values(draft, {place: value})
     return draft
 
 
@@ -39,5 +39,14 @@ def refused_points(texts: Mapping[Place, str]) -> frozenset[NetIndex]:
     return frozenset(
         (place.i, place.j)
         for place, text in texts.items()
-        if isinstance(place, CoordinatePlace) and not isinstance(typed_number(text), float)
+        if isinstance(place, CoordinatePlace) and not _is_coordinate(text)
     )
+
+
+def _is_coordinate(text: str) -> bool:
+    """Return whether a text says a coordinate, as a number or as what is worked out from the one that stands there."""
+    try:
+        typed_value(text, "", checked_number, 1.0)
+    except DocumentError:
+        return False
+    return True

@@ -83,8 +83,10 @@ class NumberCell(GrowingLine):
 
     def _refresh(self) -> None:
         parts = [self._error, self._warning, self._tip]
-        if self.is_pending and not self._error:
+        if self._is_unset and not self._error:
             parts.insert(0, "Not set yet: Set writes it, Get brings the active value back.")
+        elif self.has_own_text and not self._error:
+            parts.insert(0, f"Not taken yet: Enter takes it, Esc brings {self._shown} back.")
         said = [part for part in parts if part]
         self.setToolTip(plain_tip("\n".join([self.text(), *said])))
         self.setAccessibleDescription("\n".join(said))

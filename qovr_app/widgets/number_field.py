@@ -159,7 +159,8 @@ class NumberField(TypedField):
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
         self._selects_on_release = event.reason() == Qt.FocusReason.MouseFocusReason
-        self.focused.emit()
+        if event.reason() != Qt.FocusReason.PopupFocusReason:  # a menu that closes brings nothing new
+            self.focused.emit()
 
     def focusOutEvent(self, event: QFocusEvent) -> None:
         super().focusOutEvent(event)

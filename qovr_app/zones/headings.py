@@ -29,12 +29,15 @@ class Headings:
     def heading(self, html: str, name: str, places: Sequence[Place], points: Sequence[NetIndex]) -> HeaderLabel:
         """Return a heading of some numbers, and of the points that it selects."""
         result = HeaderLabel(html, name, lambda: self._taken(places), lambda: self._snaps(places))
-        result.setToolTip("Click: select its points. Drag sideways: change its numbers together.")
+        result.setToolTip(
+            "Click: select its points, Shift adds them, Ctrl toggles. Drag sideways: change its numbers together."
+        )
         result.scrubbed.connect(
             lambda amount, gesture: self._store.dispatch(ValuesShifted(tuple(places), amount, gesture))
         )
         dispatch_gestures(result, self._store.dispatch)
-        result.clicked.connect(lambda: self._store.dispatch(Selected(points[-1], tuple(points[:-1]))))
+        last, *others = reversed(points)
+        result.clicked.connect(lambda picking: self._store.dispatch(Selected(last, tuple(others), picking)))
         return result
 
     def _snaps(self, places: Sequence[Place]) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QEvent, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QPoint, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QContextMenuEvent, QKeyEvent, QMouseEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 
@@ -24,6 +24,7 @@ class KnotSlider(QSlider):
     knot_moved : the wanted value, and the gesture to which the movement belongs
     gesture_begun, gesture_ended, gesture_cancelled : the handle is dragged, with its gesture
     reset_asked : the slider was clicked twice
+    menu_asked : the place of the screen where the menu of the knot is wanted
     """
 
     knot_moved = Signal(float, int)
@@ -31,6 +32,7 @@ class KnotSlider(QSlider):
     gesture_ended = Signal(int)
     gesture_cancelled = Signal(int)
     reset_asked = Signal()
+    menu_asked = Signal(QPoint)
 
     _gesture = 0  # events come before the first line of __init__ has run
     _waits = False
@@ -116,7 +118,7 @@ class KnotSlider(QSlider):
 
     def contextMenuEvent(self, event: QContextMenuEvent) -> None:
         if not self._waits:
-            super().contextMenuEvent(event)
+            self.menu_asked.emit(event.globalPos())
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if self._is_escape(event):

@@ -61,6 +61,7 @@ class KnotsZone(FieldZone):
         guard_from_wheels(self._slider)
         self._slider.knot_moved.connect(self._on_slider_moved)
         self._slider.reset_asked.connect(lambda: self._on_slider_moved(default_value(store.state, self._knot), 0))
+        self._slider.menu_asked.connect(lambda at: self._ask_for_menu(self._knot, at))
         dispatch_gestures(self._slider, store.dispatch)
         slider_row = QHBoxLayout()
         slider_row.setSpacing(2 * SPACE)

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent, TextTyped, ValuesEdited, ValuesPasted, ZoneRead, ZoneSet
 from qovr_app.state.looking_intents import FieldFocused, MessageOutdated, MessageShown
-from qovr_app.state.names import ZONE_TITLES, label, object_name, spoken
+from qovr_app.state.names import ZONE_TITLES, in_window_words, label, object_name, spoken
 from qovr_app.state.requests import FieldMenuAsked
 from qovr_app.state.typed import typed_block
 from qovr_app.store import Store
@@ -146,7 +146,7 @@ class FieldZone(QFrame):
         self._has_reported = True
         error = self._store.dispatch(self._edit_of(place, value, gesture))
         if error is not None:
-            self.fields[place].refuse(value_at(self._store.state.draft, place), str(error))
+            self.fields[place].refuse(value_at(self._store.state.draft, place), in_window_words(str(error)))
 
     def _edit_of(self, place: Place, value: float, gesture: int) -> Intent:
         """Return what sets the number at a place."""

@@ -44,7 +44,7 @@ def field_commands() -> tuple[Command, ...]:
             tip="Paste a number into the field, or a table into its zone", is_enabled=_has_field, needs=_NEEDS_FIELD,
         ),
         Command(
-            "field_set_curves", "Set on all c&urves", _of_field(_set_on_curves), _MENU,
+            "field_set_curves", "Set on &all curves", _of_field(_set_on_curves), _MENU,
             tip="Set this knot on all curves of its direction, whatever is linked",
             is_enabled=_has_knot, needs=_NEEDS_KNOT, begins_part=True,
         ),

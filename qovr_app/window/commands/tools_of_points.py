@@ -15,7 +15,7 @@ _MENU = "&Points/&Tool"
 _WAYS = {
     Way.Z: ("Move along &z", "A dragged point changes its height alone"),
     Way.VIEW: ("Move in the &view plane", "A dragged point follows the mouse in the plane of the view"),
-    Way.NORMAL: ("Move along the nor&mal", "A dragged point moves along the surface's normal at its nearest place"),
+    Way.NORMAL: ("Move al&ong the normal", "A dragged point moves along the surface's normal at its nearest place"),
 }
 
 _SWITCHES = {

@@ -56,6 +56,29 @@ def test_of_two_refusals_the_other_one_is_said_when_one_is_mended(editor):
     assert bubbles(editor, "zone.control_points") == []
 
 
+def test_a_refusal_of_the_document_calls_places_as_the_window_does(editor):
+    editor.trigger("symmetry_columns")
+    editor.type_into("control_points.P_1_2.x", "2.5")
+    expected = "X of P 1,2 is 2.5; expected 2.0, as symmetry has it; or switch it off"
+    assert editor.message() == f"{expected}."
+    (bubble,) = bubbles(editor, "zone.control_points")
+    assert bubble.text().startswith("X of <i>P</i><sub>1,2</sub> is 2.5")
+    assert editor.field("control_points.P_1_2.x").error == expected
+
+
+def test_the_slider_has_the_menu_of_its_knot(editor):
+    editor.field(KNOT).setFocus()
+    slider = editor.find("row_knots.slider")
+    editor.field(BUMP).setFocus()
+    at = slider.rect().center()
+    QApplication.sendEvent(slider, QContextMenuEvent(QContextMenuEvent.Reason.Mouse, at, slider.mapToGlobal(at)))
+    editor.settle()
+    menu = QApplication.activePopupWidget()
+    assert menu.objectName() == "context.field"
+    choose(editor, next(action for action in menu.actions() if action.objectName() == "field_copy"))
+    assert editor.message() == "Copied t_ip of C_3: 0.5"
+
+
 def open_menu(editor, name, reason=QContextMenuEvent.Reason.Mouse):
     field = editor.field(name)
     if reason is QContextMenuEvent.Reason.Mouse:

@@ -163,6 +163,12 @@ def test_a_heading_selects_its_points_and_changes_its_numbers_together(editor):
         QTest.mouseClick(editor.find(name), LEFT)
         editor.settle()
         assert editor.window.store.state.selection.points == chosen
+    QTest.mouseClick(editor.find("control_points.row_3"), LEFT)
+    QTest.mouseClick(editor.find("control_points.row_1"), LEFT, SHIFT)
+    QTest.mouseClick(editor.find("control_points.column_0"), LEFT, CONTROL)
+    editor.settle()
+    rows = {(i, j) for i in (1, 3) for j in range(5)}
+    assert editor.window.store.state.selection.points == rows ^ {(i, 0) for i in range(5)}
     assert steps_done(editor) == 0
     before = points(editor)
     Mouse(editor, "control_points.row_3.y").move(-20).release()
