@@ -16,7 +16,7 @@ from qovr_core.edits import Place, knots_of, value_at
 from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.number_texts import number_text
 
-_MENU = "&Edit/&Field"
+_MENU = "&Edit/F&ield"
 _NEEDS_FIELD = "Go to a field of a knot or a coordinate first"
 _NEEDS_KNOT = "Go to the field of a knot first"
 

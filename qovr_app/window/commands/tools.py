@@ -88,7 +88,7 @@ def probe_commands() -> tuple[Command, ...]:
         ),
         Command(
             "copy_measure",
-            "Copy meas&urement",
+            "Copy &measurement",
             asking(requests.CopyAsked("measure")),
             "&Edit",
             "Ctrl+Alt+M",
