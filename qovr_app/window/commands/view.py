@@ -48,8 +48,8 @@ SHOWN = {
     "surface_box": "Box of the sur&face",
     "axes": "&Axes",
     "colour_bar": "Colo&ur bar",
-    "triad": "Axes in the &corner",
-    "legend": "&Legend",
+    "triad": "Axes in t&he corner",
+    "legend": "Le&gend",
 }
 """What can be switched off, by its field of DisplaySettings."""
 
@@ -101,7 +101,7 @@ CHOICES: dict[str, tuple[type[str], str, dict[str, tuple[str, str | None]]]] = {
     ),
     "laboratory_place": (
         LaboratoryPlace,
-        "&Laboratory/P&lace",
+        "&Laboratory/Plac&e",
         {place: (text, None) for place, text in PLACES.items()},
     ),
     "projection": (
