@@ -10,11 +10,13 @@ from PySide6.QtWidgets import QFileDialog, QMenu, QMessageBox
 
 from qovr_app.dialogs import question
 from qovr_app.main import open_windows
+from qovr_app.state.intents import ValuesEdited
 from qovr_app.state.requests import SourceAsked
 from qovr_app.window import post as post_module
 from qovr_app.window.post import Post
 from qovr_app.window.process_lock import Hold
 from qovr_app.window.windows import is_untouched
+from qovr_core.edits import CoordinatePlace
 from qovr_core.files import read_document, write_document
 from support.command import QOVR
 from support.documents import random_document
@@ -119,14 +121,13 @@ def test_quit_asks_for_each_changed_window_and_cancel_keeps_all(editor, files, o
         editor.dispatch(SourceAsked(str(path), elsewhere=True))
     second, third = others()
     editor.type_into("control_points.P_2_2.z", "0.7")
-    third.store.dispatch(editor.window.store.session[-1])
+    third.store.dispatch(ValuesEdited({CoordinatePlace(2, 2, 2): 0.7}))
     waiting[:] = [question.Answer.Discard, question.Answer.Cancel]
     second.findChild(type(editor.action("quit")), "quit").trigger()
     assert [text.splitlines()[0] for text in asked] == [f"Save the changes to {files[k].name}?" for k in (0, 2)]
     assert len(opened_windows()) == 3
     assert editor.window.isWindowModified()
     waiting[:] = [QMessageBox.StandardButton.Discard, QMessageBox.StandardButton.Save]
-    editor.window.store.dispatch(editor.window.store.session[-1])
     editor.trigger("quit")
     assert open_windows().all == ()
     assert read_document(files[0]) == random_document(0)
