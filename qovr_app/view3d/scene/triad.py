@@ -62,11 +62,11 @@ def triad_centre(size: Size) -> tuple[float, float]:
     return _CORNER + REACH, size[1] - _CORNER - REACH
 
 
-def triad_ends(camera: Camera, size: Size) -> list[End]:
-    """Return the six ends, the farthest from the viewer first."""
+def triad_ends(camera: Camera, centre: tuple[float, float]) -> list[End]:
+    """Return the six ends about the middle of the triad, the farthest from the viewer first."""
     right, up, back = camera.axes
     ends = [
-        End(axis, is_high, triad_centre(size) + LENGTH * way * np.array([right[axis], -up[axis]]), way * back[axis])
+        End(axis, is_high, centre + LENGTH * way * np.array([right[axis], -up[axis]]), way * back[axis])
         for axis in range(3)
         for is_high, way in ((False, -1), (True, 1))
     ]
@@ -80,7 +80,7 @@ def view_under(settings: DisplaySettings, camera: Camera, size: Size, x: float, 
     """
     if not has_triad(settings, size):
         return ""
-    for end in reversed(triad_ends(camera, size)):
+    for end in reversed(triad_ends(camera, triad_centre(size))):
         if np.hypot(*(end.at - (x, y))) <= end.radius + 1:
             azimuth, elevation = NAMED_VIEWS[end.view]
             looks_from_there = abs(camera.elevation - elevation) < _ALIGNED and (
