@@ -22,6 +22,7 @@ from qovr_app.state import (
     point_intents,
     requests,
     tools,
+    view_requests,
 )
 from qovr_app.state.intents import Intent
 from qovr_core import Document, edits, net_edits, net_moves, symmetry
@@ -31,7 +32,7 @@ from qovr_core.files.qovr_document import document_from_json, document_to_json
 _KIND, _VALUE = "is", "value"
 
 _INTENTS = intents, field_intents, knot_intents, looking_intents, point_intents, requests
-_MODULES = *_INTENTS, display, tools, edits, net_edits, net_moves, symmetry
+_MODULES = *_INTENTS, view_requests, display, tools, edits, net_edits, net_moves, symmetry
 
 _KINDS: dict[str, Any] = {
     name: kind

@@ -160,21 +160,6 @@ class CameraAsked(Request):
     name: str
 
 
-@dataclass(frozen=True)
-class PaperLookAsked(Request):
-    """Show the surface as the paper's figures do, from their camera."""
-
-
-@dataclass(frozen=True)
-class UnderlayAsked(Request):
-    """Ask for a picture to lie under the net."""
-
-
-@dataclass(frozen=True)
-class UnderlayPlaceAsked(Request):
-    """Ask where the picture under the net lies, and how clearly it is seen."""
-
-
 class CameraStep(StrEnum):
     """Where the camera can be sent that no direction names."""
 

@@ -7,11 +7,12 @@ import math
 from PySide6.QtWidgets import QDialog, QWidget
 
 from qovr_app.dialogs.range_dialog import RangeDialog
-from qovr_app.state import requests
+from qovr_app.state import requests, view_requests
 from qovr_app.state.looking_intents import PaperLookChosen, RangeFixed
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
+from qovr_app.window.saved_views import SavedViews, SavedViewsShell
 from qovr_app.window.shell import Answers
 from qovr_app.window.transforming import ask_symmetry, ask_transform
 from qovr_app.window.underlay_shell import UnderlayShell
@@ -20,15 +21,16 @@ from qovr_app.window.underlay_shell import UnderlayShell
 class LayoutShell:
     """Answers what only the parts in the window, or a dialog over them, can."""
 
-    def __init__(self, store: Store, layout: Layout, window: QWidget) -> None:
+    def __init__(self, store: Store, layout: Layout, window: QWidget, views: SavedViews) -> None:
         self._store, self._layout, self._window = store, layout, window
         clipboard = Clipboard(layout, store)
         self.answers: Answers = {
             **UnderlayShell(store, window).answers,
+            **SavedViewsShell(views, store, layout.view_frame, window).answers,
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,
             requests.CameraAsked: layout.view_frame.look,
-            requests.PaperLookAsked: self._look_as_the_paper,
+            view_requests.PaperLookAsked: self._look_as_the_paper,
             requests.ViewRestartAsked: layout.view_frame.restart,
             requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
@@ -39,7 +41,7 @@ class LayoutShell:
             requests.CloseAsked: lambda _asked: window.close(),
         }
 
-    def _look_as_the_paper(self, _request: requests.PaperLookAsked) -> None:
+    def _look_as_the_paper(self, _request: view_requests.PaperLookAsked) -> None:
         """Take the paper's colours and style, and turn to its camera once they are there."""
         self._store.dispatch(PaperLookChosen())
         self._store.flush()

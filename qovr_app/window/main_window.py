@@ -27,10 +27,10 @@ from qovr_app.window.facts import Facts
 from qovr_app.window.field_shell import FieldShell
 from qovr_app.window.folder import Folder
 from qovr_app.window.help_shell import HelpShell
-from qovr_app.window.history_menu import HistoryMenu
 from qovr_app.window.layout import Layout
 from qovr_app.window.layout_shell import LayoutShell
-from qovr_app.window.menus import RecentMenu, fill_menu_bar, make_bars
+from qovr_app.window.lists import add_lists
+from qovr_app.window.menus import fill_menu_bar, make_bars
 from qovr_app.window.message_line import MessageLine
 from qovr_app.window.outside import FileWatch, OutsideOffer
 from qovr_app.window.placing import fit_into_screen, place_beside
@@ -39,6 +39,7 @@ from qovr_app.window.preferences_shell import preferences_answers
 from qovr_app.window.recovery import RecoveryStore
 from qovr_app.window.recovery_offer import RecoveryOffer
 from qovr_app.window.recovery_writer import RecoveryWriter
+from qovr_app.window.saved_views import SavedViews
 from qovr_app.window.shell import Shell
 from qovr_app.window.sources import opened_source
 from qovr_app.window.window_menu import WindowList, window_answers
@@ -92,7 +93,8 @@ class MainWindow(QMainWindow):
         )
         self._offer = RecoveryOffer(self._documents, self._windows, self.worker, self)
         self._outside, self._watch = OutsideOffer(self.store, self), FileWatch(self.store, self)
-        parts = LayoutShell(self.store, self.parts, self)
+        views = SavedViews(preferences)
+        parts = LayoutShell(self.store, self.parts, self, views)
         shell = Shell(
             parts.answers,
             HelpShell(lambda: self._actions, self).answers,
@@ -112,7 +114,7 @@ class MainWindow(QMainWindow):
         )
         self._message = MessageLine(self.store.dispatch, self)
         self._notices.noticed.connect(lambda text: self.store.dispatch(MessageShown(text)))
-        self._assemble(folder)
+        self._assemble(folder, views)
         self._restore_layout()
         self.store.dispatch(Configured())
         self.store.flush()
@@ -143,7 +145,7 @@ class MainWindow(QMainWindow):
         self.store.subscribe(self.recovery.show_state)
         self._offer.offer(recovery)
 
-    def _assemble(self, folder: Folder) -> None:
+    def _assemble(self, folder: Folder, views: SavedViews) -> None:
         middle = QWidget(self)
         layout = QVBoxLayout(middle)
         layout.setContentsMargins(0, 0, 0, 0)
@@ -154,11 +156,7 @@ class MainWindow(QMainWindow):
         layout.addWidget(self.parts, 1)
         self.setCentralWidget(middle)
         menus = fill_menu_bar(self.menuBar(), self._actions)
-        presets = menus["File/New from preset"].menuAction()
-        recent = RecentMenu(lambda: folder.recent, self.store.dispatch, self)
-        menus["File"].insertMenu(presets, recent)
-        history = HistoryMenu(lambda: self.store.state.history, self.store.dispatch, self)
-        menus["Edit"].insertMenu(self._actions["copy"], history)
+        add_lists(menus, self._actions, self.store, folder, views)
         WindowList(self._windows, menus["Window"], self)
         self.statusBar().addWidget(self._message, 1)
         self.statusBar().addPermanentWidget(self._facts)

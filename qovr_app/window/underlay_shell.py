@@ -8,7 +8,7 @@ from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
 from qovr_app.dialogs.underlay_dialog import UnderlayDialog
-from qovr_app.state import requests
+from qovr_app.state import view_requests
 from qovr_app.state.display import Underlay
 from qovr_app.state.looking_intents import DisplayChosen, MessageShown
 from qovr_app.store import Store
@@ -25,11 +25,11 @@ class UnderlayShell:
     def __init__(self, store: Store, window: QWidget) -> None:
         self._store, self._window = store, window
         self.answers: Answers = {
-            requests.UnderlayAsked: self._ask_file,
-            requests.UnderlayPlaceAsked: self._ask_place,
+            view_requests.UnderlayAsked: self._ask_file,
+            view_requests.UnderlayPlaceAsked: self._ask_place,
         }
 
-    def _ask_file(self, _request: requests.UnderlayAsked) -> None:
+    def _ask_file(self, _request: view_requests.UnderlayAsked) -> None:
         name, _ = QFileDialog.getOpenFileName(self._window, "Reference Picture", str(self._folder), _KINDS)
         if not name:
             return
@@ -52,7 +52,7 @@ class UnderlayShell:
             return Path(state.display.underlay.path).parent
         return home_folder() if state.file.path is None else state.file.path.parent
 
-    def _ask_place(self, _request: requests.UnderlayPlaceAsked) -> None:
+    def _ask_place(self, _request: view_requests.UnderlayPlaceAsked) -> None:
         underlay = self._store.state.display.underlay
         if underlay is None:
             return

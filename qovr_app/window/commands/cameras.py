@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from qovr_app.state.requests import CameraAsked, CameraMoved, CameraStep
+from qovr_app.state.view_requests import ViewStoreAsked
 from qovr_app.window.commands.command import Command, asking
 from qovr_app.window.commands.switches import is_on, switching
 
@@ -53,4 +54,12 @@ def camera_commands() -> list[Command]:
         tip="Let axes and colours follow every edit, not only another document, formulation or layer",
         is_checked=is_on("always_fits"),
     )
-    return [fit, follow, *named, *moves]
+    store = Command(
+        "store_view",
+        "&Store this view…",
+        asking(ViewStoreAsked()),
+        menu,
+        tip="Give where you look from a name, to look from there again in any document",
+        begins_part=True,
+    )
+    return [fit, follow, *named, *moves, store]

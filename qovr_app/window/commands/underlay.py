@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.looking_intents import DisplayChosen
-from qovr_app.state.requests import UnderlayAsked, UnderlayPlaceAsked
+from qovr_app.state.view_requests import UnderlayAsked, UnderlayPlaceAsked
 from qovr_app.window.commands.command import Command, asking
 
 _MENU = "&View/Refe&rence picture"

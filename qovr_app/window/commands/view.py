@@ -20,10 +20,10 @@ from qovr_app.state.intents import Intent
 from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import (
     CopyAsked,
-    PaperLookAsked,
     RangeAsked,
     ViewRestartAsked,
 )
+from qovr_app.state.view_requests import PaperLookAsked
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.window.commands.cameras import camera_commands
 from qovr_app.window.commands.command import Command, asking
