@@ -27,23 +27,25 @@ _LETTER_HEIGHT = 0.8
 Place = tuple[float, float]
 
 
-def draw_axis_texts(painter: QPainter, edges: list[AxisEdge], theme: Theme, size: Size) -> None:
+def draw_axis_texts(painter: QPainter, edges: list[AxisEdge], theme: Theme, size: Size, larger: float) -> None:
     """Draw the texts of all axes: titles and what numbers share first, then every number that covers none of them.
 
     Parameters
     ----------
     size : of the part of the viewport, from its upper left corner, that is free for them
+    larger : how much larger than usual they are
     """
-    room = _Room(size)
+    room, small, normal = _Room(size), round(larger * SMALL), round(larger * NORMAL)
     for edge in edges:
-        place, alignment = _title_place(edge), _alignment(edge)
-        room.write(painter, edge.title, place, alignment, theme.ink, pixels=NORMAL)
+        place, alignment = _title_place(edge, small), _alignment(edge)
+        room.write(painter, edge.title, place, alignment, theme.ink, pixels=normal)
         if edge.labels.note:
-            room.write(painter, edge.labels.note, *_note_place(edge, place, alignment), theme.quiet_ink)
+            note_place = _note_place(edge, place, alignment, larger)
+            room.write(painter, edge.labels.note, *note_place, theme.quiet_ink, pixels=small)
     for edge in edges:
         places = edge.ticks + (TICK_LENGTH + _TEXT_GAP) * edge.outward
         for (x, y), text in zip(places.tolist(), edge.labels.texts, strict=True):
-            room.write(painter, text, (x, y), _alignment(edge), theme.quiet_ink, is_dispensable=True)
+            room.write(painter, text, (x, y), _alignment(edge), theme.quiet_ink, pixels=small, is_dispensable=True)
 
 
 def _alignment(edge: AxisEdge) -> Alignment:
@@ -51,21 +53,21 @@ def _alignment(edge: AxisEdge) -> Alignment:
     return 0.5 - x / 2, 0.5 - y / 2
 
 
-def _title_place(edge: AxisEdge) -> Place:
+def _title_place(edge: AxisEdge, pixels: int) -> Place:
     """Return the middle of the axis, farther out than its numbers."""
     across, down = (abs(part) for part in edge.outward.tolist())
-    sizes = [text_size(plain(text), SMALL) for text in edge.labels.texts]
+    sizes = [text_size(plain(text), pixels) for text in edge.labels.texts]
     reach = max((across * width + down * height for width, height in sizes), default=0.0)
     x, y = ((edge.start + edge.end) / 2 + (TICK_LENGTH + 2 * _TEXT_GAP + reach) * edge.outward).tolist()
     return x, y
 
 
-def _note_place(edge: AxisEdge, title: Place, alignment: Alignment) -> tuple[Place, Alignment]:
+def _note_place(edge: AxisEdge, title: Place, alignment: Alignment, larger: float) -> tuple[Place, Alignment]:
     """Return place and alignment of what the numbers share: over an upright axis, else in a line after the title."""
     if abs(edge.outward[0]) > _UPRIGHT:
         x, y = min(edge.start.tolist(), edge.end.tolist(), key=lambda end: end[1])
         return (x, y - 2 * _TEXT_GAP), (0.5, 1.0)
-    return (title[0], title[1] + math.copysign(_LINE, edge.outward[1])), alignment
+    return (title[0], title[1] + math.copysign(larger * _LINE, edge.outward[1])), alignment
 
 
 class _Room:
@@ -83,7 +85,7 @@ class _Room:
         alignment: Alignment,
         colour: Rgb,
         *,
-        pixels: int = SMALL,
+        pixels: int,
         is_dispensable: bool = False,
     ) -> None:
         width, height = text_size(plain(text), pixels)

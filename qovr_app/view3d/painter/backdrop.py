@@ -13,7 +13,7 @@ from qovr_app.view3d.painter.text import NORMAL, draw_text, plain
 from qovr_app.view3d.painter.underlay import draw_underlay
 from qovr_app.view3d.scene.axes import AxisEdge, axes_box
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.picture import Picture, has_colour_bar
+from qovr_app.view3d.scene.picture import Picture, emphasis, has_colour_bar
 from qovr_core.arrays import Array
 
 
@@ -46,9 +46,11 @@ def draw_backdrop(painter: QPainter, picture: Picture, size: Size, *, transparen
         for edge in box.edges:
             _draw_edge(painter, edge, theme)
         right = bar_rect(size).left() if has_colour_bar(picture.settings, size) else size[0]
-        draw_axis_texts(painter, box.edges, theme, (right, size[1]))
+        draw_axis_texts(painter, box.edges, theme, (right, size[1]), emphasis(size))
     if picture.caption:
-        draw_text(painter, plain(picture.caption), (14, 12), (0, 0), theme.quiet_ink, pixels=NORMAL)
+        draw_text(
+            painter, plain(picture.caption), (14, 12), (0, 0), theme.quiet_ink, pixels=round(emphasis(size) * NORMAL)
+        )
 
 
 def _lines(ends: Array) -> list[QLineF]:

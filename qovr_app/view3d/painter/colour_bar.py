@@ -21,7 +21,7 @@ from qovr_app.style.ticks import is_flat, tick_positions
 from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
-from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.picture import Picture, emphasis
 from qovr_core.arrays import Array
 from qovr_core.number_texts import power_text, significant_text
 
@@ -50,8 +50,20 @@ _DIGITS = 4
 
 def bar_rect(size: Size) -> QRectF:
     """Return where the bar itself lies, in logical pixels."""
-    height = min(size[1] * _PART_OF_HEIGHT, _TALLEST)
-    return QRectF(round(size[0] - _RIGHT), round((size[1] - height) / 2), _WIDTH, round(height))
+    larger = emphasis(size)
+    rect = _plain_rect(_in_units(size))
+    return QRectF(rect.topLeft() * larger, rect.size() * larger)
+
+
+def _in_units(size: Size) -> Size:
+    """Return a viewport's size in the bar's own units, which are larger than pixels in a large one."""
+    larger = emphasis(size)
+    return size[0] / larger, size[1] / larger
+
+
+def _plain_rect(units: Size) -> QRectF:
+    height = min(units[1] * _PART_OF_HEIGHT, _TALLEST)
+    return QRectF(round(units[0] - _RIGHT), round((units[1] - height) / 2), _WIDTH, round(height))
 
 
 def bar_room(size: Size) -> tuple[float, float, float, float]:
@@ -62,7 +74,7 @@ def bar_room(size: Size) -> tuple[float, float, float, float]:
 
 @dataclass(frozen=True)
 class _Bar:
-    """Everything that decides how a colour bar looks."""
+    """Everything that decides how a colour bar looks; the size is in the bar's own units."""
 
     colouring: Colouring
     theme: Theme
@@ -74,12 +86,17 @@ def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
     colouring = picture.colouring
     if math.isnan(colouring.limits[0]) and colouring.pattern is None:
         return
-    bar = _Bar(colouring, picture.theme, size)
+    larger, bar = emphasis(size), _Bar(colouring, picture.theme, _in_units(size))
     if isinstance(painter.device(), QImage):
-        left = max(0.0, bar_rect(size).left() - _NOTE_ROOM)
-        painter.drawImage(QPointF(left, 0), _drawn(bar, left, painter.device().devicePixelRatioF()))
+        left = max(0.0, _plain_rect(bar.size).left() - _NOTE_ROOM)
+        ratio = painter.device().devicePixelRatioF()
+        image = _drawn(bar, left, ratio * larger)
+        painter.drawImage(QRectF(QPointF(left * larger, 0), image.size().toSizeF() / ratio), image)
     else:
+        painter.save()
+        painter.scale(larger, larger)
         _draw(painter, bar)
+        painter.restore()
 
 
 @lru_cache(maxsize=4)
@@ -94,7 +111,7 @@ def _drawn(bar: _Bar, left: float, ratio: float) -> QImage:
 
 
 def _draw(painter: QPainter, bar: _Bar) -> None:
-    rect, colouring = bar_rect(bar.size), bar.colouring
+    rect, colouring = _plain_rect(bar.size), bar.colouring
     draw_bar(painter, rect, _colours(colouring), bar.theme)
     _draw_arrows(painter, rect, bar)
     widest = 0.0 if math.isnan(colouring.limits[0]) else draw_ticks(painter, rect, colouring, bar.theme)

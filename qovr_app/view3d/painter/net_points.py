@@ -16,7 +16,7 @@ from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.net_marks import OTHER, covers, gaps, is_within, levels, ranks, with_room
-from qovr_app.view3d.scene.picture import Picture, has_colour_bar
+from qovr_app.view3d.scene.picture import Picture, emphasis, has_colour_bar
 from qovr_app.view3d.scene.triad import REACH, has_triad, triad_centre
 from qovr_core.arrays import Array, Flags
 from qovr_core.document import NetIndex
@@ -41,12 +41,13 @@ _HIDDEN, _SEEN_THROUGH = 0.45, 0.75
 
 def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags, size: Size) -> None:
     """Draw the control points at pixels (k, l, 2), dim where they are hidden, (k, l)."""
-    theme, radius = picture.theme, _radius(seen)
+    theme, larger = picture.theme, emphasis(size)
+    radius = larger * _radius(seen)
     selected, is_seen = flags_of(picture.selected, hidden.shape), is_within(seen, size)
     dim = _SEEN_THROUGH if picture.tools.xray else _HIDDEN
     for points, halo in ((picture.pending, theme.warn), (picture.refused, theme.bad)):
         flags = flags_of(points, hidden.shape) & is_seen
-        draw_discs(painter, seen[flags], size, Disc(_HALO_RADIUS, halo, theme.rim))
+        draw_discs(painter, seen[flags], size, Disc(larger * _HALO_RADIUS, halo, theme.rim))
     for flags, opacity in ((hidden & ~selected, dim), (~hidden & ~selected, 1.0)):
         draw_discs(painter, seen[flags & is_seen], size, Disc(radius, theme.point, theme.rim, opacity))
     scale, chosen = max(radius, 2 * _LEAST_RADIUS) / POINT_RADIUS, seen[selected & is_seen]
@@ -58,9 +59,10 @@ def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
         if index == picture.last_selected:
             painter.setBrush(QColor(*theme.rim))
             painter.setPen(QPen(QColor(*_ring_colour(picture, index)), _RING_WIDTH))
-            painter.drawEllipse(QPointF(*seen[index].tolist()), _RING_RADIUS, _RING_RADIUS)
+            ring = larger * _RING_RADIUS
+            painter.drawEllipse(QPointF(*seen[index].tolist()), ring, ring)
         colour = theme.selected if selected[index] else theme.point
-        draw_discs(painter, seen[index][None], size, Disc(_MARKED_RADIUS, colour, theme.rim))
+        draw_discs(painter, seen[index][None], size, Disc(larger * _MARKED_RADIUS, colour, theme.rim))
 
 
 def _ring_colour(picture: Picture, index: NetIndex) -> Rgb:
@@ -93,11 +95,13 @@ def draw_labels(
         return
     order = np.lexsort((-levels((rows, columns))[i, j], rank[i, j]))
     i, j = i[order], j[order]
-    width, height = text_size(_name(rows - 1, columns - 1), SMALL)
-    corners = seen[i, j] + _LABEL_OFFSET - [0.0, _LABEL_RISE * height]
+    larger = emphasis(size)
+    pixels, offset = round(larger * SMALL), larger * np.array(_LABEL_OFFSET)
+    width, height = text_size(_name(rows - 1, columns - 1), pixels)
+    corners = seen[i, j] + offset - [0.0, _LABEL_RISE * height]
     taken = np.array([*_taken(picture, size), *([legend] if legend else [])])
     turns = covers(corners, (width, height), taken)
-    corners[turns, 0] -= width + 2 * _LABEL_OFFSET[0]
+    corners[turns, 0] -= width + 2 * offset[0]
     more = float(np.clip(_CROWDED * width / max(*gaps(seen), _LEAST_RADIUS), 1.0, _MOST_ROOM))
     marked = int((rank[i, j] != OTHER).sum())
     chosen, opacities = with_room(corners, (more * width, more * height), taken, marked)
@@ -105,7 +109,8 @@ def draw_labels(
         is_marked = number < marked
         ink = theme.selected if is_marked and (i[number], j[number]) != picture.hovered else theme.ink
         at = tuple(corners[number].tolist())
-        draw_text(painter, _name(i[number], j[number]), at, (0, 0), ink, halo=theme.rim, opacity=opacity)
+        name = _name(i[number], j[number])
+        draw_text(painter, name, at, (0, 0), ink, pixels=pixels, halo=theme.rim, opacity=opacity)
 
 
 def _taken(picture: Picture, size: Size) -> list[Room]:

@@ -30,6 +30,9 @@ _TITLE_ROOM = 92.0
 """At the left, where the z axis carries numbers and a title side by side."""
 
 _BARE_ROOM = 28.0
+_USUAL_SIDE, _LARGEST = 900.0, 1.6
+"""A viewport whose shorter side has more logical pixels than this is drawn with larger letters, up to so much."""
+
 _BESIDE = 1e-9
 """Part of an axis by which what lies on its end may miss it: rounding."""
 
@@ -124,6 +127,11 @@ class Picture:
         return colouring_of(self.scene, self.settings, self.coloured_counts, moving=self.moving)
 
 
+def emphasis(size: Size) -> float:
+    """Return how much larger letters, discs and colour bar are in a viewport of this size than in a usual one."""
+    return min(max(min(size) / _USUAL_SIDE, 1.0), _LARGEST)
+
+
 def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
     """Return whether a viewport of this size shows the colour bar."""
     pattern = PATTERNS.get(settings.shown_colours)
@@ -133,15 +141,16 @@ def has_colour_bar(settings: DisplaySettings, size: Size) -> bool:
 
 def is_in_colour_bar(settings: DisplaySettings, size: Size, x: float) -> bool:
     """Return whether a pixel of a viewport belongs to the colour bar and its numbers."""
-    return has_colour_bar(settings, size) and x >= size[0] - _BAR_ROOM
+    return has_colour_bar(settings, size) and x >= size[0] - _BAR_ROOM * emphasis(size)
 
 
 def margins(settings: DisplaySettings, size: Size) -> Margins:
     """Return the room that a fitted picture leaves for labels and colour bar."""
-    side = _AXES_ROOM if settings.axes else _BARE_ROOM
-    left = _TITLE_ROOM if settings.axes else _BARE_ROOM
-    right = _BAR_ROOM if has_colour_bar(settings, size) else side
-    return Margins(left=left, top=_BARE_ROOM, right=right, bottom=side)
+    larger = emphasis(size)
+    side = larger * (_AXES_ROOM if settings.axes else _BARE_ROOM)
+    left = larger * (_TITLE_ROOM if settings.axes else _BARE_ROOM)
+    right = larger * _BAR_ROOM if has_colour_bar(settings, size) else side
+    return Margins(left=left, top=larger * _BARE_ROOM, right=right, bottom=side)
 
 
 def is_stacked(size: Size, count: int) -> bool:

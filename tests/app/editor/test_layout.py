@@ -4,6 +4,7 @@ from itertools import combinations
 
 import pytest
 from PySide6.QtCore import QRect, Qt
+from PySide6.QtGui import QColor
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QAbstractButton,
@@ -21,10 +22,12 @@ from PySide6.QtWidgets import (
 from qovr_app.laboratory.panels import PANELS
 from qovr_app.state.display import LaboratoryPlace
 from qovr_app.state.looking_intents import Picking
+from qovr_app.style.palette import theme_in_force
+from qovr_app.view3d.painter.colour_bar import bar_rect
 from qovr_app.window.main_window import MainWindow
 from qovr_app.window.preferences import Preferences
 from qovr_app.window.room import Dock, Form, room_of
-from support.editor import TABS, Editor, scroll_to
+from support.editor import TABS, Editor, scroll_to, wait_until
 
 CONTROLS = (QLineEdit, QComboBox, QAbstractButton, QAbstractSlider, QTableWidget)
 AUTO, RIGHT, BELOW, FLOATING = LaboratoryPlace
@@ -288,3 +291,23 @@ def test_both_is_stacked_where_that_shows_more(make_editor):
     editor.settle()
     assert raw.y() == transformed.y()
     assert raw.x() + raw.width() <= transformed.x()
+
+
+def disc_width(editor):
+    """Return how many pixels of a control point's colour lie beside one another through its middle."""
+    view = editor.window.view
+    at = view.mapFromGlobal(editor.window.screen_position(0, 3))
+    image, colour = view.image(), QColor(*theme_in_force().point).rgb()
+    return sum(image.pixel(x, at.y()) == colour for x in range(at.x() - 12, at.x() + 13))
+
+
+def test_discs_and_colour_bar_are_larger_in_a_large_window(make_editor):
+    editor = make_editor("paper:fig5", (1280, 720))
+    usual = disc_width(editor), bar_rect(editor.window.view.viewports[0].logical_size)
+    editor.window.resize(2560, 1440)
+    editor.settle()
+    editor.trigger("fit")
+    wait_until(lambda: disc_width(editor) > usual[0])
+    wide = bar_rect(editor.window.view.viewports[0].logical_size)
+    assert wide.width() > usual[1].width()
+    assert wide.right() < editor.window.view.width()
