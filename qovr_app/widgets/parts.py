@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TypeVar
 
-from PySide6.QtCore import QEvent, Qt
-from PySide6.QtGui import QColor, QPalette
+from PySide6.QtCore import QEvent, QSize, Qt
+from PySide6.QtGui import QColor, QPalette, QResizeEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QSizePolicy, QWidget
 
 from qovr_app.style.palette import theme_in_force
@@ -69,6 +69,15 @@ class Note(QLabel):
             text = self.text()  # links keep the colour in which they were read
             self.clear()
             self.setText(text)
+
+    def minimumSizeHint(self) -> QSize:
+        """Return a size with all lines, at the present width: a splitter asks for no other."""
+        return QSize(super().minimumSizeHint().width(), self.heightForWidth(self.width()))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        if event.size().width() != event.oldSize().width():
+            self.updateGeometry()
 
     def say(self, html: str) -> None:
         """Show a text; an empty one takes the note away."""

@@ -38,6 +38,9 @@ from qovr_core.number_texts import knot_step
 _NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
 """The knots in the order of the paper's window: rightwards for the rows, downwards for the columns."""
 
+_LEAST_PLOT = 124
+"""Lower, a picture of the knots with its title says nothing: then the zones are scrolled."""
+
 
 class KnotsZone(FieldZone):
     """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward.
@@ -73,6 +76,7 @@ class KnotsZone(FieldZone):
         self._note.linkActivated.connect(lambda name: store.dispatch(FormulationChosen(name)))
         self._layout.addWidget(self._note)
         self.plot_place = named(QWidget(self), f"{direction}.plot")
+        self.plot_place.setMinimumHeight(_LEAST_PLOT)
         place = QVBoxLayout(self.plot_place)
         place.setContentsMargins(0, 0, 0, 0)
         self._transformations = KnotTransformations(direction, store, self.plot_place)
