@@ -7,7 +7,7 @@ from functools import partial
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QMenu, QWidget
 
-from qovr_app.state.looking_intents import Selected
+from qovr_app.state.looking_intents import PointsPutAway, Selected
 from qovr_app.store import Store
 from qovr_app.view3d.scene.hand import MenuPlace, MenuWish
 from qovr_app.window.actions import Actions
@@ -21,12 +21,14 @@ _COMMANDS = {
         "show_points", "", "fit_selection",
     ),
     MenuPlace.NET_LINE: (
-        "show_control_net", "show_row_curves", "show_column_curves", "show_knot_handles", "", "fit_selection",
+        "show_control_net", "show_row_curves", "show_column_curves", "show_knot_handles", "", "show_points",
+        "laboratory_curve", "", "fit_selection",
     ),
-    MenuPlace.COLOUR_BAR: ("colour_by_", "", "colour_range_", "", "colour_map_", "", "show_colour_bar"),
+    MenuPlace.COLOUR_BAR: ("colour_by_", "", "colour_range_", "shares_range", "", "colour_map_", "", "show_colour_bar"),
     MenuPlace.VIEW: (
         "fit", "always_fits", "camera_back", "camera_forward", "", "camera_paper", "camera_top", "camera_isometric", "",
-        "layer_", "", "style_", "", "show_control_points", "show_labels", "show_axes", "probe",
+        "layer_", "", "style_", "paper_look", "", "show_control_points", "show_labels", "show_axes", "show_legend",
+        "show_triad", "show_points", "", "probe", "tool_measure", "copy_picture", "underlay",
     ),
 }  # fmt: skip
 """By what lies under the mouse, the commands; a name that ends with a line stands for all that begin so."""
@@ -40,6 +42,8 @@ def context_menu(wish: MenuWish, actions: Actions, store: Store, parent: QWidget
     if wish.place is MenuPlace.NET_LINE:
         picked = Selected(wish.points[-1], wish.points[:-1])
         menu.addAction("Select this line of the net", partial(store.dispatch, picked))
+        put_away = tuple(sorted(store.state.put_away.union(wish.points)))
+        menu.addAction("Hide this line of the net", partial(store.dispatch, PointsPutAway(put_away)))
         menu.addSeparator()
     if wish.knot is not None:
         choices = knot_choices if wish.place is MenuPlace.KNOT else curve_choices

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QMenu
 
 CONTROL, SHIFT, ALT = (getattr(Qt.KeyboardModifier, f"{name}Modifier") for name in ("Control", "Shift", "Alt"))
 LEFT = Qt.MouseButton.LeftButton
@@ -91,3 +92,16 @@ def test_a_hidden_point_whose_field_is_opened_is_seen_while_it_is(seen):
     assert seen.window.view.picture().put_away == frozenset()
     seen.trigger("select_none")
     assert seen.window.view.picture().put_away == {(1, 1)}
+
+
+def test_a_line_of_the_net_is_hidden_by_its_menu(seen):
+    at = (pixel(seen, (2, 1)) + pixel(seen, (2, 2))) / 2
+    QTest.mouseClick(seen.window.view.viewports[0].widget, Qt.MouseButton.RightButton, pos=at)
+    menu = seen.find("context.net_line", QMenu)
+    assert seen.action("laboratory_curve") in menu.actions()
+    {action.text(): action for action in menu.actions()}["Hide this line of the net"].trigger()
+    menu.close()
+    seen.settle()
+    click(seen, (2, 2))
+    assert selected(seen) == frozenset()
+    assert seen.window.store.state.put_away == {(2, j) for j in range(5)}
