@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtGui import QValidator
 from PySide6.QtWidgets import QDoubleSpinBox, QSpinBox, QWidget
 
+from qovr_app.state.calculation import worked_out
 from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core.number_texts import number_text
@@ -28,8 +29,8 @@ class NumberBox(QDoubleSpinBox):
         return number_text(round(value, self.decimals()))
 
     def valueFromText(self, text: str) -> float:
-        value = typed_number(text)
-        return value if isinstance(value, float) else self.value()
+        value = _number(text)
+        return self.value() if value is None else value
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
         return _state_of(text, self.minimum(), self.maximum()), text, position
@@ -52,18 +53,32 @@ class CountBox(QSpinBox):
         return str(value)
 
     def valueFromText(self, text: str) -> int:
-        value = typed_number(text)
-        return round(value) if isinstance(value, float) else self.value()
+        value = _number(text)
+        return self.value() if value is None else round(value)
 
     def validate(self, text: str, position: int) -> tuple[QValidator.State, str, int]:
-        value = typed_number(text)
-        if isinstance(value, float) and not value.is_integer():
+        value = _number(text)
+        if value is not None and not value.is_integer():
             return QValidator.State.Intermediate, text, position
         return _state_of(text, self.minimum(), self.maximum()), text, position
 
 
+def _number(text: str) -> float | None:
+    """Return the number that a text says, or that is worked out in it; None where it says none.
+
+    Nothing goes on from the present number, which follows every key that is typed.
+    """
+    value = typed_number(text)
+    if isinstance(value, float):
+        return value
+    return None if text.strip()[:1] in _GOING_ON else worked_out(text, 0.0)
+
+
+_GOING_ON = ("", "+", "*", "/")
+
+
 def _state_of(text: str, least: float, most: float) -> QValidator.State:
     """Return whether a text is a number of a range; what is none yet may be on the way to one."""
-    value = typed_number(text)
-    is_good = isinstance(value, float) and least <= value <= most
+    value = _number(text)
+    is_good = value is not None and least <= value <= most
     return QValidator.State.Acceptable if is_good else QValidator.State.Intermediate

@@ -157,8 +157,10 @@ class FieldZone(QFrame):
         self._store.dispatch(FieldMenuAsked((at.x(), at.y())))
 
     def _on_text_owned(self, place: Place, field: NumberField) -> None:
+        before = self._store.state.texts
         self._store.dispatch(TextTyped(place, field.text() if field.has_own_text else None))
-        self._count_pending()
+        if self._store.state.texts is not before:
+            self._count_pending()
 
     def _refuse(self, text: str) -> None:
         """Say why something was not done; an empty text says that this is outdated."""

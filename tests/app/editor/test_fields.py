@@ -160,7 +160,7 @@ def test_the_figure_dialog_takes_point_and_comma_and_never_a_group(editor, tmp_p
         dialog = FigureDialog(tmp_path / "x.png", "lines", nothing, editor.window.worker, editor.window)
         dialog.show()
         width, dpi = dialog.findChild(QWidget, "figure.width"), dialog.findChild(QWidget, "figure.dpi")
-        for text, value in (("1234,5", 1234.5), ("1234.5", 1234.5), (" 812.5 ", 812.5)):
+        for text, value in (("1234,5", 1234.5), ("1234.5", 1234.5), ("85*2", 170), ("2*421-29,5", 812.5)):
             width.setFocus()
             width.selectAll()
             QTest.keyClicks(width, text)

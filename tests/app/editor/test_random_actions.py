@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox
 
 from qovr_app.window.commands import command_table
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
+from support.mouse import CONTROL, NONE, SHIFT, Mouse
 
 ACTIONS = int(os.environ.get("QOVR_ACTIONS", "500"))
 """How many; at length: QOVR_ACTIONS=20000."""
@@ -18,6 +19,7 @@ ACTIONS = int(os.environ.get("QOVR_ACTIONS", "500"))
 CHECK_EVERY = 20
 NAMES = [name_of(place) for place in (*ROW_FIELDS, *COLUMN_FIELDS, *POINT_FIELDS)]
 NUMBERS = ["0.5", "0,25", "0.875", "1", "0", "-3", "12.5", "1e-3", "1e300", "", "abc", "0.1\t0.2", "0.3333333333333333"]
+HEADINGS = ["row_knots.C_2", "row_knots.t", "column_knots.K_0", "control_points.row_1", "control_points.column_4"]
 ENDING = {"close", "quit"}
 """Commands that end the window."""
 
@@ -104,6 +106,19 @@ def drag_a_point(editor, rng):
     QTest.mouseRelease(viewport.widget, Qt.MouseButton.LeftButton, pos=at)
 
 
+def drag_a_number(editor, rng):
+    mouse = Mouse(editor, rng.choice([*NAMES, *HEADINGS]))
+    for _ in range(rng.randrange(4)):
+        mouse.move(rng.randrange(-40, 41), modifiers=rng.choice([NONE, SHIFT, CONTROL]))
+        if rng.random() < 0.2:
+            QTest.keyClick(QApplication.focusWidget() or editor.window, rng.choice(KEYS))
+        if rng.random() < 0.1:
+            mouse.press_right()
+        if rng.random() < 0.1:
+            run_a_command(editor, rng)
+    mouse.release()
+
+
 def change_the_size(editor, rng):
     editor.window.resize(rng.randrange(900, 1600), rng.randrange(560, 1000))
 
@@ -117,6 +132,7 @@ ACTS = [
     choose_a_formulation,
     type_samples,
     drag_a_point,
+    drag_a_number,
     change_the_size,
 ]
 
