@@ -11,6 +11,8 @@ from collections.abc import Callable, Iterator
 import pytest
 from hypothesis import settings
 
+pytest.register_assert_rewrite("gestures")
+
 SCREEN = "2600x1600x24"
 _XVFB_SECONDS = 20
 

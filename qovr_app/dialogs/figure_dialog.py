@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QDialogButtonBox, QFormLayou
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.target import ask_for_target
 from qovr_app.dialogs.writing_dialog import WritingDialog
-from qovr_app.state.figure_options import SUFFIXES, FigureOptions
+from qovr_app.state.figure_options import HEIGHT_OF_WIDTH, SUFFIXES, WIDTHS, FigureOptions
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.spin_boxes import CountBox, NumberBox
 from qovr_app.widgets.wheel import guard_from_wheels
@@ -20,6 +20,7 @@ from qovr_app.work.worker import Worker
 _FIRST = FigureOptions()
 _MILLIMETRES = "millimetres"
 _PIXELS = "pixels"
+_OWN = "Width and height below"
 
 
 FigureWriter = Callable[[Path, FigureOptions, Any], None]
@@ -41,8 +42,10 @@ class FigureDialog(WritingDialog):
     ) -> None:
         super().__init__("figure", "Save Figure", worker, parent)
         self._path, self._vectors, self._draw = path, vectors, draw
+        self._size = named(QComboBox(self), "figure.size")
+        self._size.addItems([_OWN, *WIDTHS])
         self._unit = named(QComboBox(self), "figure.unit")
-        guard_from_wheels(self._unit)
+        guard_from_wheels(self._size, self._unit)
         self._unit.addItems([_MILLIMETRES, _PIXELS])
         self._width = self._length("figure.width", _FIRST.width)
         self._height = self._length("figure.height", _FIRST.height)
@@ -51,10 +54,11 @@ class FigureDialog(WritingDialog):
         self._buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Save | QDialogButtonBox.StandardButton.Cancel)
         self.cancel_button = self._buttons.button(QDialogButtonBox.StandardButton.Cancel)
         save = self._buttons.button(QDialogButtonBox.StandardButton.Save)
-        self.inputs = [self._unit, self._width, self._height, self._dpi, self._transparent, save]
+        self.inputs = [self._size, self._unit, self._width, self._height, self._dpi, self._transparent, save]
         self._buttons.accepted.connect(self._choose_file)
         self._buttons.rejected.connect(self.reject)
         form = QFormLayout(self)
+        form.addRow("&Size", self._size)
         form.addRow("&Unit", self._unit)
         form.addRow("&Width", self._width)
         form.addRow("&Height", self._height)
@@ -64,6 +68,7 @@ class FigureDialog(WritingDialog):
         form.addRow(self.bar)
         form.addRow(without_icons(self._buttons))
         self._unit.currentTextChanged.connect(self._change_unit)
+        self._size.textActivated.connect(self._take_width)
         for changed in (self._width.valueChanged, self._height.valueChanged, self._dpi.valueChanged):
             changed.connect(self._show_size)
         self._show_size()
@@ -82,6 +87,13 @@ class FigureDialog(WritingDialog):
     def _length(self, name: str, value: float) -> NumberBox:
         return named(NumberBox(10.0, 20_000.0, 1, value, self), name)
 
+    def _take_width(self, size: str) -> None:
+        """Take the width of a journal's column, and a height that goes with it."""
+        if size in WIDTHS:
+            self._unit.setCurrentText(_MILLIMETRES)
+            self._width.setValue(WIDTHS[size])
+            self._height.setValue(HEIGHT_OF_WIDTH * WIDTHS[size])
+
     def _change_unit(self, unit: str) -> None:
         """Keep the figure's size when its unit changes."""
         scale = self._dpi.value() / 25.4
@@ -93,6 +105,8 @@ class FigureDialog(WritingDialog):
 
     def _show_size(self) -> None:
         width, height = self.options.pixels
+        in_millimetres = self.options.width if self.options.dpi is not None else None
+        self._size.setCurrentText(next((text for text, each in WIDTHS.items() if each == in_millimetres), _OWN))
         self.note.setText(f"{width} × {height} pixels; in SVG and PDF {self._vectors}")
 
     def _set_writing(self, is_writing: bool) -> None:

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from math import isfinite
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from qovr_app.laboratory.curve_functions import WeightsPlot
+from qovr_app.laboratory.curve_functions import FunctionPlot, WeightsPlot
 from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
 from qovr_app.laboratory.plots import Captioned
 from qovr_app.laboratory.wording import value_text
-from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
@@ -28,17 +28,26 @@ Dashed: what is blended beyond their points
 Rings: where the parameter is 0, its internal knot, and 1""",
     "How much each parabola counts: (1-u)^2, 2u(1-u) and u^2",
     "How much each point counts; the five weights sum to 1",
+    """Drag the rings: r_ip on the left edge, s_ip and u_ip in the middle, t_ip on the right edge
+A shaded band: there the curve runs backwards on evenly spaced points""",
 )
-"""What each plot shows, in the order of the plots; the last one says it itself."""
+"""What each plot shows, in the order of the plots."""
 
 _CELLS = ((0, 0, 2, 1), (0, 1, 1, 1), (1, 1, 1, 1), (0, 2, 2, 1))
 _COLUMN_STRETCHES = (5, 4, 4)
 
 
 class CurvePlots(QWidget):
-    """Shows a curve and its parts; a place under the mouse in one plot is marked in all of them."""
+    """Shows a curve and its parts; a place under the mouse in one plot is marked in all of them.
 
-    def __init__(self, store: Store, parent: QWidget | None = None) -> None:
+    Signals
+    -------
+    knots_moved : a dict of knot names and wanted values, and the drag's gesture
+    """
+
+    knots_moved = Signal(object, int)
+
+    def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown: tuple[OneCurve, Formulation] | None = None
         self._has_comb = False
@@ -51,19 +60,15 @@ class CurvePlots(QWidget):
         self._weights = WeightsPlot(
             "laboratory.curve.weights", "The weights of the five points", points, [0, 1, 2, 3, 4], self
         )
-        self._transformations = TransformationsPlot(store, self)
-        self._functions: tuple[WeightsPlot | TransformationsPlot, ...] = (
-            self._blends,
-            self._weights,
-            self._transformations,
-        )
+        self._transformations = TransformationsPlot(self)
+        self._functions: tuple[FunctionPlot, ...] = self._blends, self._weights, self._transformations
         self._plots = self._geometry, *self._functions
-        self._captions = [Captioned(plot, plot.small_font, self) for plot in self._plots]
+        self._captions = [Captioned(plot, self) for plot in self._plots]
         self._arrange()
         self._geometry.hovered.connect(lambda place: self._show_hover(place and self._geometry.nearest(place)))
-        for plot in (self._blends, self._weights):
+        for plot in self._functions:
             plot.hovered.connect(lambda place: self._show_hover(place and min(max(place[0], 0.0), 1.0)))
-        self._transformations.hovered.connect(self._show_hover)
+        self._transformations.knots_moved.connect(self.knots_moved)
 
     @property
     def curve(self) -> OneCurve | None:
@@ -72,7 +77,7 @@ class CurvePlots(QWidget):
 
     def show_theme(self, theme: Theme) -> None:
         """Draw in other colours."""
-        for plot in (self._geometry, self._blends, self._weights):  # the other one is painted in the theme in force
+        for plot in self._plots:
             plot.show_theme(theme)
         self._show_captions(None)
 
@@ -92,7 +97,7 @@ class CurvePlots(QWidget):
         self._geometry.show_curve(curve, view)
         self._blends.show_weights(curve.blends(SAMPLES), curve.knots.u)
         self._weights.show_weights(curve.weights(SAMPLES), curve.knots.u)
-        self._transformations.show_part(curve)
+        self._transformations.show_curve(curve)
         self._show_hover(None)
 
     def _show_hover(self, u: float | None) -> None:
@@ -123,10 +128,9 @@ class CurvePlots(QWidget):
         grid = QGridLayout(self)
         grid.setContentsMargins(0, 0, 0, 0)
         grid.setSpacing(1)
-        for captioned, cell in zip(self._captions, _CELLS, strict=True):
-            grid.addWidget(captioned, *cell)
-        for plot, tip in zip((self._geometry, self._blends, self._weights), _TIPS, strict=True):
+        for plot, tip, captioned, cell in zip(self._plots, _TIPS, self._captions, _CELLS, strict=True):
             plot.setToolTip(tip)
+            grid.addWidget(captioned, *cell)
         for column, stretch in enumerate(_COLUMN_STRETCHES):
             grid.setColumnStretch(column, stretch)
         for row in range(2):

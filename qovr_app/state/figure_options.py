@@ -19,6 +19,13 @@ _PRINT_DPI = 300
 _SCREEN_DPI = 96
 
 
+HEIGHT_OF_WIDTH = 0.75
+"""The height of a figure whose width alone is asked for."""
+
+WIDTHS = {"One column, 85 mm": 85.0, "One and a half, 114 mm": 114.0, "Two columns, 174 mm": 174.0}
+"""Millimetres, as most journals set their columns."""
+
+
 @dataclass(frozen=True)
 class FigureOptions:
     """Size and ground of a figure.

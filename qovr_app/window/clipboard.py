@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
 from PySide6.QtGui import QGuiApplication, QImage
 
 from qovr_app.state.intents import ValuesPasted
@@ -52,12 +53,14 @@ class Clipboard:
         return sorted(self._store.state.selection.points)
 
     def _paste_over_points(self) -> None:
-        points = self._selected()
+        """Paste over the selected points; where none is selected, over all."""
+        points = self._selected() or list(np.ndindex(self._store.state.document.control_points.shape[:2]))
+        whose = "selected " if self._selected() else ""
         try:
             rows = typed_block(pasted_cells(), lambda rows, columns: (rows, columns) == (len(points), 3))
             if len(rows) != len(points) or len(rows[0]) != 3:
                 found = f"{len(rows)} x {len(rows[0])} numbers"
-                raise DocumentError("the block", found, f"{len(points)} x 3, a row for each selected point")
+                raise DocumentError("the block", found, f"{len(points)} x 3, a row for each {whose}point")
         except QovrError as error:
             self._dispatch(MessageShown(f"Nothing was pasted: {error}.", is_refusal=True))
             return

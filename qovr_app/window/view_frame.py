@@ -182,6 +182,7 @@ class ViewFrame(QWidget):
         """Let a soft move reach further, or less far; never less than to the next point."""
         radius = max(_LEAST_RADIUS, self._store.state.tools.soft_radius + notches)
         self._store.dispatch(looking_intents.ToolChosen("soft_radius", radius))
+        self._store.dispatch(looking_intents.MessageShown(f"Soft moves reach {radius:g} steps along the net."))
 
     def _make_herald(self) -> QWidget | None:
         """Return a widget of one pixel that needs OpenGL.

@@ -139,6 +139,7 @@ class Interactor(QObject):
     def _on_wheel(self, event: QWheelEvent, picture: Picture) -> bool:
         if self.dragger.is_dragging and picture.tools.soft and event.angleDelta().y():
             self.radius_turned.emit(event.angleDelta().y() / 120)
+            self.mouse.follow_modifiers(self._without_letter(event.modifiers()))  # what follows softly follows at once
         if self.mouse.is_held:
             return True
         return self._request(moved_by_wheel(event, picture.camera, self._viewport.logical_size))

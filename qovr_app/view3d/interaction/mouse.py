@@ -149,7 +149,7 @@ class Mouse(QObject):
             corner, other = ((at.x(), at.y()) for at in (press.at, event.position()))
             self.picked.emit(tuple(points_within(picture, size, corner, other)), press.picking)
         elif press.doing in (Doing.SELECT, Doing.LOOK) and not press.has_moved:
-            self._click(press, picture, size, event.globalPosition().toPoint())
+            self._click(press, picture, size, event)
         self._clicked = None if press.has_moved else press.at
         self.changed.emit()
 
@@ -227,18 +227,18 @@ class Mouse(QObject):
         if picture.selected != {wanted}:
             self.picked.emit((wanted,), Picking.REPLACE)
 
-    def _click(self, press: Press, picture: Picture, size: Size, on_screen: QPoint) -> None:
-        """Ask for a menu, select a point with the tool for it, or clear the selection."""
+    def _click(self, press: Press, picture: Picture, size: Size, event: QMouseEvent) -> None:
+        """Ask for a menu, select a point with the tool for it, or clear what is selected, unless a key holds it."""
         if press.asks is not None:
             self.asked.emit(press.asks)
         elif press.button == _RIGHT:
             wish = menu_wish(picture, size, press.at.x(), press.at.y())
             if wish.place is MenuPlace.POINT and not picture.selected.intersection(wish.points):
                 self.picked.emit(wish.points[:1], Picking.REPLACE)
-            self.menu_asked.emit(wish, on_screen)
+            self.menu_asked.emit(wish, event.globalPosition().toPoint())
         elif press.point is not None:
             self.picked.emit((press.point,), press.picking)
-        elif press.button == _LEFT:
+        elif press.button == _LEFT and not event.modifiers() & (_SHIFT | _CONTROL):
             self._click_on_curve(press, picture, size)
 
     def _click_on_curve(self, press: Press, picture: Picture, size: Size) -> None:

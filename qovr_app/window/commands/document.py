@@ -128,9 +128,7 @@ def edit_commands() -> tuple[Command, ...]:
             asking(requests.PasteAsked(over_points=True)),
             menu,
             _Key.Paste,
-            "Paste a table of X, Y, Z over the selected points, in the order in which Copy writes them",
-            is_enabled=lambda state: bool(state.selection.points),
-            needs="Select as many control points as the table has rows first",
+            "Paste a table of X, Y, Z over the selected points, or over all where none is selected, a row for each",
         ),
         Command(
             "copy_zone",

@@ -12,7 +12,7 @@ from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QMainWindow
 
-from qovr_app.state.display import ColourMap, DisplaySettings, LayerChoice, MouseScheme, Projection, Scaling
+from qovr_app.state.display import ColourMap, DisplaySettings, LayerChoice, Projection, Scaling
 from qovr_app.view3d.interaction import camera_motion
 from qovr_app.view3d.scene.probing import parameters_under
 from qovr_core import Formulation
@@ -44,33 +44,6 @@ def test_one_can_fly_into_the_picture(make_view, document, spin):
         spin(1)
     make_view.settle(view)
     assert view.camera.span < 0.01
-
-
-def test_mouse_drags_orbit_and_pan(make_view, document):
-    view = make_view(document).view
-    viewport, before = view.viewports[0], view.camera
-    QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(5, 5))
-    QTest.mouseMove(viewport, QPoint(45, 15))
-    QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(45, 15))
-    turned = view.camera
-    assert turned.azimuth < before.azimuth
-    assert turned.elevation > before.elevation
-    QTest.mousePress(viewport, Qt.MouseButton.RightButton, pos=QPoint(5, 5))
-    QTest.mouseMove(viewport, QPoint(25, 5))
-    QTest.mouseRelease(viewport, Qt.MouseButton.RightButton, pos=QPoint(25, 5))
-    assert view.camera.centre != turned.centre
-    assert view.camera.azimuth == turned.azimuth
-
-
-def test_keys_turn_and_zoom(make_view, document):
-    view = make_view(document).view
-    viewport, before = view.viewports[0], view.camera
-    QTest.keyClick(viewport, Qt.Key.Key_Left, Qt.KeyboardModifier.ControlModifier)
-    assert view.camera.azimuth == pytest.approx(before.azimuth - 5)
-    QTest.keyClick(viewport, Qt.Key.Key_Plus)
-    assert view.camera.span < before.span
-    QTest.keyClick(viewport, Qt.Key.Key_Right, Qt.KeyboardModifier.ShiftModifier)
-    assert view.camera.centre != before.centre
 
 
 def test_a_named_view_is_reached_by_a_turn(make_view, document, spin, monkeypatch):
@@ -125,30 +98,6 @@ def test_an_orbit_turns_about_what_is_under_the_mouse(make_view, document):
     QTest.mouseRelease(view.viewports[0], Qt.MouseButton.LeftButton, pos=QPoint(392, 238))
     assert view.camera.azimuth != picture.camera.azimuth
     assert view.camera.project(point, size)[:2] == pytest.approx(at, abs=1e-6)
-
-
-@pytest.mark.parametrize(
-    ("scheme", "button", "modifier", "pans"),
-    [
-        ("rhino", "Right", "No", False),
-        ("rhino", "Right", "Shift", True),
-        ("blender", "Middle", "No", False),
-        ("blender", "Middle", "Shift", True),
-        ("blender", "Right", "No", True),
-        ("cad", "Middle", "No", False),
-        ("cad", "Middle", "Control", True),
-        ("cad", "Right", "No", True),
-    ],
-)
-def test_buttons_move_the_camera_as_other_programs_do(make_view, document, scheme, button, modifier, pans):
-    view = make_view(document, at_rest=False, mouse=MouseScheme(scheme)).view
-    viewport, before = view.viewports[0], view.camera
-    button, modifier = getattr(Qt.MouseButton, f"{button}Button"), getattr(Qt.KeyboardModifier, f"{modifier}Modifier")
-    QTest.mousePress(viewport, button, modifier, QPoint(5, 5))
-    QTest.mouseMove(viewport, QPoint(45, 15))
-    QTest.mouseRelease(viewport, button, modifier, QPoint(45, 15))
-    assert (view.camera.azimuth == before.azimuth) is pans
-    assert (view.camera.centre != before.centre) is pans
 
 
 def test_fit_shows_everything_again(make_view, document):
