@@ -26,10 +26,10 @@ def make_home(folder, monkeypatch):
 
 @pytest.fixture
 def make_editor(app, home):
-    """A function that opens an editor's window; all are closed at the end."""
-    from qovr_app.main import create_window
+    """A function that opens an editor's window; all are closed at the end, those too that the program has opened."""
+    from qovr_app.main import create_window, open_windows
 
-    editors = []
+    editors, before = [], open_windows().all
 
     def make(source=None, size=(1440, 900)):
         editor = Editor(create_window(source), size)
@@ -39,6 +39,8 @@ def make_editor(app, home):
     yield make
     for editor in editors:
         editor.discard()
+    for window in set(open_windows().all) - set(before):
+        window.leave()
 
 
 @pytest.fixture

@@ -33,11 +33,8 @@ def files(home):
 
 @pytest.fixture
 def others(editor):
-    """The windows besides the editor's own; they are closed at the end."""
-    yield lambda: [window for window in opened_windows() if window is not editor.window]
-    for window in open_windows().all:
-        if window is not editor.window:
-            window.leave()
+    """The windows besides the editor's own."""
+    return lambda: [window for window in opened_windows() if window is not editor.window]
 
 
 @pytest.fixture
