@@ -15,7 +15,7 @@ from qovr_app.view3d.painter.legend import Room
 from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.net_flags import flags_of
-from qovr_app.view3d.scene.net_marks import OTHER, covers, gaps, is_within, levels, ranks, with_room
+from qovr_app.view3d.scene.net_marks import LAST, OTHER, covers, gaps, is_within, levels, ranks, with_room
 from qovr_app.view3d.scene.picture import Picture, emphasis, has_colour_bar
 from qovr_app.view3d.scene.triad import REACH, has_triad, triad_centre
 from qovr_core.arrays import Array, Flags
@@ -98,10 +98,13 @@ def draw_labels(
     larger = emphasis(size)
     pixels, offset = round(larger * SMALL), larger * np.array(_LABEL_OFFSET)
     width, height = text_size(_name(rows - 1, columns - 1), pixels)
-    corners = seen[i, j] + offset - [0.0, _LABEL_RISE * height]
+    # The name of a selected point begins beside its ring, and is away from the arrows where it has some.
+    beside = offset[0] + np.where(rank[i, j] != OTHER, larger * _RING_RADIUS, 0.0)
+    corners = seen[i, j] + [0.0, offset[1] - _LABEL_RISE * height]
+    corners[:, 0] += beside
     taken = np.array([*_taken(picture, size), *([legend] if legend else [])])
-    turns = covers(corners, (width, height), taken)
-    corners[turns, 0] -= width + 2 * offset[0]
+    turns = covers(corners, (width, height), taken) | ((rank[i, j] == LAST) & picture.has_gizmo)
+    corners[turns, 0] -= width + 2 * beside[turns]
     more = float(np.clip(_CROWDED * width / max(*gaps(seen), _LEAST_RADIUS), 1.0, _MOST_ROOM))
     marked = int((rank[i, j] != OTHER).sum())
     chosen, opacities = with_room(corners, (more * width, more * height), taken, marked)
