@@ -35,7 +35,7 @@ class Request(Intent):
 
 @dataclass(frozen=True)
 class ValuesEdited(Intent):
-    """Several numbers are other ones, and with them those that are linked; ``gesture`` is 0 for none.
+    """Numbers are other ones, and with them those that are linked; ``gesture`` is 0 for none.
 
     One knot alone is a ``KnotsSet``.
     """

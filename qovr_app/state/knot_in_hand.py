@@ -8,9 +8,6 @@ from dataclasses import dataclass, replace
 from qovr_app.state.knot_intents import KnotsSet
 from qovr_core.geometry.knots import KNOT_NAMES, KnotPlace, Knots
 
-RESET = 0.5
-"""What a knot is reset to, and the presets begin with: the middle point lies halfway between its neighbours."""
-
 LEAST = 0.001
 """How near to 0 and 1 a hand brings a knot: a knot lies strictly between, and nearer ones swing out of sight."""
 
@@ -63,9 +60,15 @@ class KnotInHand:
             place.direction, place.curve, self.window, place.name, value, gesture, takes_s=takes_s, in_view=in_view
         )
 
+    @property
+    def default(self) -> float:
+        """What it is reset to: what it is on a new curve."""
+        value: float = getattr(Knots(), self.place.name)
+        return value
+
     def reset(self, *, in_view: bool = False) -> KnotsSet:
-        """Return what puts it into the middle, and s with u where they are one."""
-        return self.set_to(RESET, takes_s=self.takes_s, in_view=in_view)
+        """Return what resets it, and s with u where they are one."""
+        return self.set_to(self.default, takes_s=self.takes_s, in_view=in_view)
 
     def meant(self, value: float, pixel: float, *, snaps: bool, is_fine: bool) -> float:
         """Return the knot that a mouse means.

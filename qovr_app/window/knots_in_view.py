@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent, ValuesEdited
-from qovr_app.state.knot_in_hand import RESET, KnotInHand
+from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import FieldFocused
 from qovr_app.state.names import label
 from qovr_app.widgets.plain import menu_text
 from qovr_core.edits import Place, knots_of
-from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, Knots
 from qovr_core.number_texts import number_text
 
 Choices = list[tuple[str, Intent]]
@@ -36,7 +36,7 @@ def knot_choices(place: KnotPlace, state: EditorState) -> Choices:
     one = knot.set_to(knot.value, takes_s=True, in_view=True)
     on_all = f"Set {place.letter}_ip to {number_text(knot.value)} on all curves {_family(state, place.direction)}"
     return [
-        (menu_text(f"Reset {label(place)} to {number_text(RESET)}"), knot.reset(in_view=True)),
+        (menu_text(f"Reset {label(place)} to {number_text(knot.default)}"), knot.reset(in_view=True)),
         (menu_text(on_all), replace(one, curve=None)),
     ]
 
@@ -45,14 +45,16 @@ def curve_choices(place: KnotPlace, state: EditorState) -> Choices:
     """Return what can be done with the knots of one curve."""
     own, curves = knots_of(state.document, place.direction)[place.curve], _curves(state, place.direction)
     name = place.direction.curve_name(place.curve)
-    middle: dict[Place, float] = {KnotPlace(place.direction, place.curve, knot): RESET for knot in KNOT_NAMES}
+    new: dict[Place, float] = {
+        KnotPlace(place.direction, place.curve, knot): getattr(Knots(), knot) for knot in KNOT_NAMES
+    }
     on_all: dict[Place, float] = {
         KnotPlace(place.direction, curve, knot): getattr(own, knot) for curve in curves for knot in KNOT_NAMES
     }
     family = _family(state, place.direction)
     return [
         (menu_text(f"Show the knots of {name}"), FieldFocused(place)),
-        (menu_text(f"Reset the knots of {name} to {number_text(RESET)}"), ValuesEdited(middle)),
+        (menu_text(f"Reset the knots of {name}"), ValuesEdited(new)),
         (menu_text(f"Set the knots of {name} on all curves {family}"), ValuesEdited(on_all)),
     ]
 

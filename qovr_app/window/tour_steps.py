@@ -8,13 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import Configured, Intent, LiveSwitched, PointsMoved, ValuesEdited, ZoneSet
+from qovr_app.state.intents import Configured, Intent, LiveSwitched, PointsMoved, ZoneSet
+from qovr_app.state.knot_intents import KnotsSet
+from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import DisplayChosen, Selected
 from qovr_app.state.requests import ExportAsked
 from qovr_core.document import NetIndex
 from qovr_core.edits import Zone
 from qovr_core.fields import Field
-from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.knots import Direction
 
 _RAISED = 0.5
 """Part of the net's height by which the tour pulls its point: much, and still in sight."""
@@ -55,7 +57,8 @@ def _pull(state: EditorState) -> tuple[Intent, ...]:
 
 def _turn(value: float) -> Callable[[EditorState], tuple[Intent, ...]]:
     def doing(state: EditorState) -> tuple[Intent, ...]:
-        return (ValuesEdited({KnotPlace(Direction.ROWS, _middle(state)[0], "u"): value}),)
+        window = window_along(state.window, Direction.ROWS)
+        return (KnotsSet(Direction.ROWS, _middle(state)[0], window, "u", value),)
 
     return doing
 

@@ -67,7 +67,10 @@ def _of_field(intent: Callable[[EditorState, Place], Intent]) -> Callable[[Edito
 
 
 def _edited_to_default(state: EditorState, place: Place) -> Intent:
-    return ValuesEdited({place: default_value(state, place)})
+    value = default_value(state, place)
+    if not isinstance(place, KnotPlace):
+        return ValuesEdited({place: value})
+    return KnotsSet(place.direction, place.curve, window_along(state.window, place.direction), place.name, value)
 
 
 def _set_on_curves(state: EditorState, place: Place) -> Intent:
