@@ -54,7 +54,7 @@ class Scrubbing(QObject):
         self._scrub: Scrub | None = None
         self._value = 0.0
         self._gesture = 0
-        self._focus_before: QWidget | None = None
+        self._with_keys: QWidget | None = None
         self._waits = self._is_edited = False
         widget.installEventFilter(self)
         self._show_way()
@@ -64,12 +64,16 @@ class Scrubbing(QObject):
         """Whether the number is in the hand."""
         return self._scrub is not None
 
-    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
-        if isinstance(event, QMouseEvent):
-            return self._on_mouse(kind, event)
         if isinstance(event, QKeyEvent):
             return self._on_key(kind, event)
+        if watched is not self._widget:
+            if kind == QEvent.Type.FocusOut:
+                self._let_go()
+            return False
+        if isinstance(event, QMouseEvent):
+            return self._on_mouse(kind, event)
         if kind in _ENDING:
             self._let_go()
         if isinstance(event, QFocusEvent):
@@ -110,8 +114,8 @@ class Scrubbing(QObject):
         self._scrub, self._value = scrub.gone_on(at, scrub.start, is_fine=False), scrub.start
         self._gesture = next_gesture()
         if not self._widget.hasFocus():
-            self._focus_before = QApplication.focusWidget()
-            self._widget.setFocus(Qt.FocusReason.MouseFocusReason)  # Escape is for what the mouse holds
+            self._with_keys = QApplication.focusWidget() or self._widget.window()
+            self._with_keys.installEventFilter(self)  # Escape is for what the mouse holds
         self.begun.emit(self._gesture)
 
     def _follow(self, at: float, modifiers: Qt.KeyboardModifier) -> None:
@@ -161,9 +165,9 @@ class Scrubbing(QObject):
 
     def _end(self) -> None:
         self._scrub = None
-        if self._focus_before is not None:
-            self._focus_before.setFocus()
-        self._focus_before = None
+        if self._with_keys is not None:
+            self._with_keys.removeEventFilter(self)
+        self._with_keys = None
 
     def _edit(self) -> None:
         """Leave the widget's presses to it from now on, if it has the keyboard."""

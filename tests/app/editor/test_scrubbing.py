@@ -67,7 +67,7 @@ def drag_and_put_back(editor, name, way):
     mouse = Mouse(editor, name).move(30)
     assert editor.document != preset("fig5").document
     if way == "escape":
-        QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_Escape)
+        QTest.keyClick(QApplication.focusWidget() or editor.window, Qt.Key.Key_Escape)
     elif way == "right":
         mouse.press_right()
     else:
@@ -123,6 +123,7 @@ def test_a_heading_selects_its_points_and_changes_its_numbers_together(editor):
         QTest.mouseClick(editor.find(name), LEFT)
         editor.settle()
         assert editor.window.store.state.selection.points == chosen
+    editor.field(BUMP).setFocus()
     QTest.mouseClick(editor.find("control_points.row_3"), LEFT)
     QTest.mouseClick(editor.find("control_points.row_1"), LEFT, SHIFT)
     QTest.mouseClick(editor.find("control_points.column_0"), LEFT, CONTROL)
@@ -132,6 +133,7 @@ def test_a_heading_selects_its_points_and_changes_its_numbers_together(editor):
     assert steps_done(editor) == 0
     before = points(editor)
     Mouse(editor, "control_points.row_3.y").move(-20).release()
+    assert editor.window.store.state.selection.points == rows ^ {(i, 0) for i in range(5)}
     difference = points(editor) - before
     assert np.unique(difference[3, :, 1].round(9)).tolist() == [-0.1]
     assert np.count_nonzero(difference) == 5
