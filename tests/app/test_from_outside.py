@@ -131,7 +131,7 @@ settle()
 assert max(window.view.picture().colouring.limits) > 0
 
 find("laboratory_lengths", QAction).trigger()
-settle()
+settle(lambda: find("lengths.text", QLabel).text())
 assert float(find("lengths.text", QLabel).text()) > 0
 
 find("surface.export", QAbstractButton).click()
