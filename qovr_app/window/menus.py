@@ -16,6 +16,7 @@ from qovr_app.window.actions import Actions
 from qovr_app.window.tool_options import ToolField
 
 _BAR_LAYERS = {"layer_raw": "Raw", "layer_transformed": "Transformed", "layer_both": "Both"}
+_BAR_SCALES = "scaling_equal", "Equal scales"
 _BAR_CAMERAS = {
     "camera_paper": "Paper",
     "camera_top": "Top",
@@ -27,7 +28,6 @@ _BAR_CHOICES = {
     "Style": ["style_"],
     "Colour by": ["colour_by_", "colour_range_", "colour_map_"],
     "Show": ["show_"],
-    "Scales": ["scaling_"],
 }
 """The commands of each drop-down, by how their names begin; a line parts one kind from the next."""
 
@@ -84,6 +84,7 @@ def make_view_bar(actions: Actions, parent: QWidget) -> QToolBar:
     for name, text in _BAR_LAYERS.items():
         _add(bar, actions[name], text)
     bar.addSeparator()
+    _add(bar, actions[_BAR_SCALES[0]], _BAR_SCALES[1])
     for title, prefixes in _BAR_CHOICES.items():
         bar.addWidget(_choice(title, [actions.begun_with(prefix) for prefix in prefixes], bar))
     bar.addSeparator()

@@ -117,6 +117,7 @@ _TIPS = {
     "colour_range_auto": "The colours end at the smallest and largest value; about zero where zero has a meaning",
     "colour_range_robust": "The colours end where 2 % of the values lie beyond, which marks at the bar's ends show",
     "colour_range_fixed": "The colours end at two values of your own",
+    "scaling_equal": "A unit is as long along every axis; chosen again, each axis is stretched by itself",
 }
 
 
@@ -155,6 +156,8 @@ def _choices_of(
 def _choosing(setting: str, value: str) -> Callable[[EditorState], Intent]:
     if value is ColourRange.FIXED:
         return asking(RangeAsked())
+    if value is Scaling.EQUAL:  # a button of the view bar, which is pressed again to let go
+        return lambda state: DisplayChosen(setting, Scaling.EACH if state.display.scaling is value else value)
     return asking(DisplayChosen(setting, value))
 
 

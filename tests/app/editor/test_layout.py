@@ -17,6 +17,7 @@ from PySide6.QtWidgets import (
     QScrollBar,
     QTabBar,
     QTableWidget,
+    QToolBar,
     QWidget,
 )
 
@@ -158,6 +159,20 @@ def test_rows_grow_with_the_height(make_editor):
     editor.window.resize(1440, 1200)
     editor.settle()
     assert all(editor.find(name).height() > height for name, height in zip(names, before, strict=True))
+
+
+@pytest.mark.parametrize("size", [(911, 512), (1280, 720)])
+def test_equal_scales_are_one_click_away(make_editor, size):
+    editor = make_editor("paper:fig5", size)
+    bar, action = editor.find("view_bar", QToolBar), editor.action("scaling_equal")
+    button = bar.widgetForAction(action)
+    assert button.visibleRegion().boundingRect() == button.rect()
+    for is_equal in (True, False):
+        QTest.mouseClick(button, Qt.MouseButton.LeftButton)
+        editor.settle()
+        extents = editor.window.view.picture().scene.frame.half_extents
+        assert (extents[2] < 0.1 * extents[0]) == is_equal  # the net is 4 wide and 0.1 high
+        assert action.isChecked() == is_equal
 
 
 def test_crossing_a_bound_keeps_keyboard_selection_and_what_is_typed(make_editor):
