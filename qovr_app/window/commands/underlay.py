@@ -7,7 +7,7 @@ from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.view_requests import UnderlayAsked, UnderlayPlaceAsked
 from qovr_app.window.commands.command import Command, asking
 
-_MENU = "&View/Refe&rence picture"
+_MENU = "&View/Re&ference picture"
 _NEEDS = "Choose a reference picture first"
 
 
