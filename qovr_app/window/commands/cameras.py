@@ -56,7 +56,7 @@ def camera_commands() -> list[Command]:
     )
     store = Command(
         "store_view",
-        "&Store this view…",
+        "Store t&his view…",
         asking(ViewStoreAsked()),
         menu,
         tip="Give where you look from a name, to look from there again in any document",

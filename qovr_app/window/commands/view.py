@@ -41,7 +41,7 @@ SHOWN = {
     "control_net": "Control &net",
     "row_curves": "&Row curves C_i(u)",
     "column_curves": "C&olumn curves K_j(v)",
-    "combs_u": "Curvature combs along &u",
+    "combs_u": "Curvature co&mbs along u",
     "combs_v": "Curvature combs along &v",
     "knot_handles": "&Knot handles",
     "control_box": "&Box of the control points",
