@@ -5,7 +5,6 @@ import pytest
 from qovr_app.state.intents import PointsMoved
 from qovr_core.presets import preset
 
-
 DRAWN = 0.05
 """So many pixels have a hue where a surface is drawn; cividis is grey in its middle."""
 
