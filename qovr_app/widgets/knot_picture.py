@@ -174,7 +174,8 @@ class KnotPicture:
     def _paint_labels(self, painter: QPainter, values: Array) -> None:
         """Name every line on itself, where it is farthest from the others."""
         frame, metrics = self.frame, QFontMetricsF(painter.font())
-        inside = (frame.low < values) & (values < frame.high)
+        room = metrics.height() / 2 * frame.pixel("s")  # so that no name is cut
+        inside = (frame.low + room < values) & (values < frame.high - room)
         for k, place in enumerate(label_places(np.where(inside, values, np.nan))):
             letter = PARABOLAS[k]
             at, width = frame.at(float(SAMPLES[place]), float(values[place, k])), metrics.horizontalAdvance(letter)
