@@ -19,7 +19,7 @@ from qovr_core.geometry.weights import KERNEL_KNOTS, transformations
 from qovr_core.laboratory.labels import label_places
 from qovr_core.number_texts import number_text, signed_text, true_minus
 
-SAMPLES = read_only(np.linspace(0.0, 1.0, 121))
+SAMPLES = read_only(np.linspace(0.0, 1.0, 61))
 """So many that a line through them is seen as the parabola that s is."""
 
 PARABOLAS = tuple(KNOT_NAMES[k] for k in KERNEL_KNOTS)
