@@ -34,6 +34,9 @@ _LEFT, _RIGHT, _TOP, _BOTTOM = 20.0, 12.0, 4.0, 18.0
 
 _LINE, _FOLD_OPACITY, _FOLD_ROOM = 1.8, 0.22, 4.0
 _RADIUS, _USED_RADIUS = 5.0, 6.5
+_HANDLE_ROOM = 0.08
+"""Of the plot's width, to either side of the handles at u, that is free of names."""
+
 _PLATE_PAD, _PLATE_GAP = 5.0, 10.0
 
 
@@ -176,6 +179,7 @@ class KnotPicture:
         frame, metrics = self.frame, QFontMetricsF(painter.font())
         room = metrics.height() / 2 * frame.pixel("s")  # so that no name is cut
         inside = (frame.low + room < values) & (values < frame.high - room)
+        inside[:, 1:] &= np.abs(SAMPLES - self.knots.u)[:, None] > _HANDLE_ROOM
         for k, place in enumerate(label_places(np.where(inside, values, np.nan))):
             letter = PARABOLAS[k]
             at, width = frame.at(float(SAMPLES[place]), float(values[place, k])), metrics.horizontalAdvance(letter)
