@@ -155,6 +155,7 @@ class MainWindow(QMainWindow):
         layout.addWidget(self._outside.notice)
         layout.addWidget(self.parts, 1)
         self.setCentralWidget(middle)
+        self.parts.view_frame.setFocus()  # else Qt would choose a field, and with it a point or a knot
         menus = fill_menu_bar(self.menuBar(), self._actions)
         add_lists(menus, self._actions, self.store, folder, views)
         WindowList(self._windows, menus["Window"], self)

@@ -148,6 +148,8 @@ class ViewFrame(QWidget):
 
         view = View3D(self)
         self._layout.addWidget(view)
+        if self.hasFocus():
+            view.viewports[0].widget.setFocus()
         self.stale_mark.raise_()
         view.display(shown_of(self._store.state))
         self._listen(view)

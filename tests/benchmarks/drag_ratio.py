@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 
 HERE = Path(__file__).parents[2]
-PAIRS = 12
+PAIRS = 8
 EVENTS = 120
 
 RUN = """

@@ -2,12 +2,13 @@
 
 import itertools
 
+import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtGui import QAction, QKeySequence
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QMenu, QPushButton, QToolBar
 
-from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
+from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of, wait_until
 
 
 def tab_stops(editor, count):
@@ -94,6 +95,18 @@ def test_the_paper_way_by_shortcuts_alone(editor):
     assert editor.find("surface.export").isEnabled()
     editor.key(Qt.Key.Key_5, Qt.KeyboardModifier.AltModifier)
     assert QApplication.focusWidget() in editor.window.view.viewports
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1440, 900)])
+def test_a_window_begins_with_the_keyboard_in_the_view_and_nothing_chosen(make_editor, size):
+    editor = make_editor(None, size)
+    wait_until(lambda: QApplication.focusWidget() in editor.window.view.viewports)
+    state = editor.window.store.state
+    assert state.selection.points == frozenset()
+    assert editor.window.view.picture().curve is None
+    QTest.keyClick(QApplication.focusWidget(), Qt.Key.Key_1)
+    editor.settle()
+    assert editor.action("layer_raw").isChecked()
 
 
 def test_digits_typed_into_a_field_are_no_shortcuts(editor):
