@@ -89,7 +89,7 @@ def _pull(film):
     film.begin("Pull a point: it moves along z, its numbers beside it")
     film.go(film.place(2, 2))
     film.press()
-    film.go_by(8, -70, 8)
+    film.go_by(6, -42, 7)
     film.rest_at()
     film.release()
 
@@ -111,7 +111,7 @@ def _soft(film):
         film.editor.trigger(command)
     film.go(film.place(2, 1))
     film.press()
-    film.go_by(4, -60, 8)
+    film.go_by(4, -40, 7)
     film.rest_at()
     film.release()
     for command in ("soft", "symmetry_columns"):
@@ -162,6 +162,8 @@ def main(path):
     film.at = QPointF(film.viewport.width() / 2, film.viewport.height() - 80)
     for part in (_pull, _plane, _soft, _knot, _rectangle):
         part(film)
+        editor.trigger("fit")
+        film.rest()
     editor.discard()
     _save(film, path)
     application.quit()
