@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSignalBlocker, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QLabel, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QWidget
 
 from qovr_app.state.editor_state import Focus
 from qovr_app.state.names import AXES
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.flow import Flow, kept_together
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, named, symbol
 from qovr_app.widgets.wheel import guard_from_wheels
@@ -155,15 +156,11 @@ class ChangeBar(QWidget):
         self._copy.clicked.connect(self.copy_requested)
 
     def _arrange(self) -> None:
-        layout = QHBoxLayout(self)
+        layout = Flow(self, SPACE)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(SPACE)
-        for control in (self._title, self._axis, self._by, self._amount, self._default):
+        change = kept_together(self, SPACE, self._title, self._axis, self._by, self._amount)
+        for control in (change, self._default, kept_together(self, SPACE, QLabel("on", self), self._layer), self._copy):
             layout.addWidget(control)
-        layout.addStretch(1)
-        layout.addWidget(QLabel("on", self))
-        layout.addWidget(self._layer)
-        layout.addWidget(self._copy)
 
 
 def _title(focus: Focus) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFont, QKeyEvent, QResizeEvent
+from PySide6.QtGui import QFont, QFontMetrics, QKeyEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
 from qovr_app.laboratory.claims_cells import BLOCKS, IS_OLD, BlockDelegate, Style
@@ -23,7 +23,7 @@ _FINDING = Qt.ItemDataRole.UserRole + 2
 _SHARE = 5
 """A column of verdicts takes this part of the table's width, the statements the rest."""
 
-_LEAST_VERDICT, _WIDEST_VERDICT, _LEAST_STATEMENT = 96, 220, 150
+_WIDEST_VERDICT, _LEAST_STATEMENT = 220, 110
 _STYLES = {Verdict.TRUE: Style.TRUE, Verdict.TRUE_IF: Style.TRUE_IF, Verdict.FALSE: Style.FALSE}
 _SORTED = {Verdict.FALSE: 0.0, Verdict.TRUE_IF: 1.0, Verdict.TRUE: 2.0}
 """False claims first: they are what one looks for."""
@@ -123,10 +123,11 @@ class ClaimsTable(QuietTable):
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
         room, verdicts = self.viewport().width(), range(1, self.columnCount())
-        width = min(max(room // _SHARE, _LEAST_VERDICT), _WIDEST_VERDICT)
         for column in verdicts:
-            self.setColumnWidth(column, width)
-        self.setColumnWidth(0, max(room - width * len(verdicts), _LEAST_STATEMENT))
+            metrics = QFontMetrics(self.horizontalHeaderItem(column).font())
+            heading = metrics.horizontalAdvance(self.horizontalHeaderItem(column).text()) + 3 * SPACE + 1
+            self.setColumnWidth(column, min(max(room // _SHARE, heading), _WIDEST_VERDICT))
+        self.setColumnWidth(0, max(room - sum(map(self.columnWidth, verdicts)), _LEAST_STATEMENT))
         self.fit_rows()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
@@ -136,8 +137,9 @@ class ClaimsTable(QuietTable):
         super().keyPressEvent(event)
 
     def style_headers(self) -> None:
+        padding = f"{SPACE}px 0 {SPACE}px {2 * SPACE}px"
         self.horizontalHeader().setStyleSheet(
-            f"QHeaderView::section {{ border: none; background: palette(button); padding: {SPACE}px {2 * SPACE}px; }}"
+            f"QHeaderView::section {{ border: none; background: palette(button); padding: {padding}; }}"
         )
 
     def _arrange_headers(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSignalBlocker, Qt, Signal
-from PySide6.QtWidgets import QComboBox, QHBoxLayout, QToolButton, QWidget
+from PySide6.QtWidgets import QComboBox, QToolButton, QWidget
 
 from qovr_app.state.display import Placement
 from qovr_app.state.editor_state import EditorState
@@ -11,6 +11,7 @@ from qovr_app.state.looking_intents import ComparisonChosen, DistanceMapSwitched
 from qovr_app.store import Dispatch
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
+from qovr_app.widgets.flow import Flow, kept_together
 from qovr_app.widgets.number_field import NumberField
 from qovr_app.widgets.parts import CompactButton, named, symbol
 from qovr_app.widgets.wheel import guard_from_wheels
@@ -95,16 +96,11 @@ class ComparisonBar(QWidget):
         self._copy.clicked.connect(self.copy_requested)
 
     def _arrange(self) -> None:
-        layout = QHBoxLayout(self)
+        layout = Flow(self, SPACE)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.setSpacing(SPACE)
-        layout.addWidget(self._surface)
-        layout.addWidget(self._placement)
-        layout.addWidget(self._distances)
-        layout.addStretch(1)
-        layout.addWidget(self._weight_label)
-        layout.addWidget(self._weight)
-        layout.addWidget(self._copy)
+        weight = kept_together(self, SPACE, self._weight_label, self._weight)
+        for control in (self._surface, self._placement, self._distances, weight, self._copy):
+            layout.addWidget(control)
 
 
 class DistanceMapSwitch(QToolButton):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import isfinite
 
 from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor, QFont
+from PySide6.QtGui import QColor, QFont, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
 from qovr_app.state.html_tables import Shown
@@ -16,7 +16,6 @@ from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.laboratory.comparison import Measures, compared_names
 from qovr_core.laboratory.comparison_report import ROWS, surface_descriptions, surface_titles
 
-_WIDEST_TEXT = "Catmull-Rom"
 _ROW_BEYOND_TEXT = 2
 _VALUE = Qt.ItemDataRole.UserRole
 """Where a cell has its number in full."""
@@ -63,6 +62,7 @@ class ComparisonTable(QuietTable):
             item.setData(Qt.ItemDataRole.AccessibleTextRole, spoken)
         self.order.refresh()
         self.refresh_colours()
+        self._fit_measures()
 
     def set_old(self) -> None:
         """Mark everything shown as measured on the document before."""
@@ -108,6 +108,15 @@ class ComparisonTable(QuietTable):
             if font.italic():
                 item.setForeground(QColor(*theme_in_force().bad))
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit_measures()
+
+    def _fit_measures(self) -> None:
+        """Give the names of the measures what the numbers leave, but never less than they need."""
+        numbers = sum(map(self.columnWidth, range(1, self.columnCount())))
+        self.setColumnWidth(0, max(self.viewport().width() - numbers, self.sizeHintForColumn(0) + SPACE))
+
     def sizeHint(self) -> QSize:
         down = self.verticalHeader().defaultSectionSize()
         return QSize(super().sizeHint().width(), self.horizontalHeader().sizeHint().height() + down * len(ROWS))
@@ -133,15 +142,13 @@ class ComparisonTable(QuietTable):
         across, down = self.horizontalHeader(), self.verticalHeader()
         across.setHighlightSections(False)
         self.order.let_sort()
-        across.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
+        across.setSectionResizeMode(0, QHeaderView.ResizeMode.Fixed)
         across.setMinimumSectionSize(8)
-        width = self.fontMetrics().horizontalAdvance(_WIDEST_TEXT) + 4 * SPACE
         for column, name in enumerate(self._names, start=1):
             header = self.horizontalHeaderItem(column)
             header.setTextAlignment(RIGHT)
             header.setToolTip(surface_descriptions()[name])
-            across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
-            across.resizeSection(column, width)
+            across.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
         down.setVisible(False)
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(self.fontMetrics().height() + _ROW_BEYOND_TEXT)

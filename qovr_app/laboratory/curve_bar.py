@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QComboBox, QHBoxLayout, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QWidget
 
 from qovr_app.laboratory.comb_choice import CombChoice
 from qovr_app.laboratory.curve_drawings import Drawing
 from qovr_app.state.editor_state import Focus
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.flow import Flow, kept_together
 from qovr_app.widgets.parts import CompactButton, named
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import Document
@@ -108,11 +109,8 @@ class CurveBar(QWidget):
         self._curve.setCurrentIndex(self._curves.index((direction, k)))
 
     def _arrange(self) -> None:
-        layout = QHBoxLayout(self)
+        layout = Flow(self, 2 * SPACE)
         layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
-        layout.setSpacing(2 * SPACE)
-        for widget in (self._curve, self._view, self._equal, self._comb):
+        saving = kept_together(self, SPACE, self._drawing, self._save)
+        for widget in (self._curve, self._view, self._equal, self._comb, saving):
             layout.addWidget(widget)
-        layout.addStretch(1)
-        layout.addWidget(self._drawing)
-        layout.addWidget(self._save)

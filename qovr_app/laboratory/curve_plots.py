@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from math import isfinite
+from typing import NamedTuple
 
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
 from qovr_app.laboratory.curve_functions import FunctionPlot, WeightsPlot
@@ -33,8 +35,26 @@ A shaded band: there the curve runs backwards on evenly spaced points""",
 )
 """What each plot shows, in the order of the plots."""
 
-_CELLS = ((0, 0, 2, 1), (0, 1, 1, 1), (1, 1, 1, 1), (0, 2, 2, 1))
-_COLUMN_STRETCHES = (5, 4, 4)
+_Cell = tuple[int, int, int, int]
+
+
+class _Arrangement(NamedTuple):
+    """Where the plots stand, how high each is at least, and what columns and rows get of the room beyond that."""
+
+    cells: tuple[_Cell, ...]
+    heights: tuple[int, ...]
+    columns: tuple[int, int, int]
+    rows: tuple[int, int, int, int]
+
+
+_BESIDE = _Arrangement(
+    ((0, 0, 2, 1), (0, 1, 1, 1), (1, 1, 1, 1), (0, 2, 2, 1)), (220, 110, 110, 220), (5, 4, 4), (1, 1, 0, 0)
+)
+_BELOW = _Arrangement(
+    ((0, 0, 1, 3), (1, 0, 1, 3), (2, 0, 1, 3), (3, 0, 1, 3)), (230, 140, 150, 190), (1, 0, 0), (3, 2, 2, 3)
+)
+_WIDE = 560
+"""From this width on the plots stand beside each other."""
 
 
 class CurvePlots(QWidget):
@@ -51,6 +71,8 @@ class CurvePlots(QWidget):
         super().__init__(parent)
         self._shown: tuple[OneCurve, Formulation] | None = None
         self._has_comb = False
+        self._grid = QGridLayout(self)
+        self._arrangement: _Arrangement | None = None
         self._geometry = GeometryPlot(self)
         parabolas = [symbol_html("w", str(p)) for p in range(3)]
         points = [symbol_html("b", str(k)) for k in range(5)]
@@ -114,7 +136,8 @@ class CurvePlots(QWidget):
         over_geometry, *over_functions = self._captions
         over_geometry.say(*captions)
         if u is None:
-            notes = "of the parabolas", "of the points", _how_it_runs(curve)
+            over = f"over <i>{curve.parameter}</i>"
+            notes = f"of the parabolas, {over}", f"of the points, {over}", _how_it_runs(curve)
             for plot, caption, note in zip(self._functions, over_functions, notes, strict=True):
                 legend = _in_a_row(plot.legend())
                 caption.say(f"{legend}&nbsp;&nbsp; {note}", legend)
@@ -125,16 +148,27 @@ class CurvePlots(QWidget):
             caption.say(*map(_in_a_row, (full, short, plot.legend(of_plot, decimals=2, named=False))))
 
     def _arrange(self) -> None:
-        grid = QGridLayout(self)
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setSpacing(1)
-        for plot, tip, captioned, cell in zip(self._plots, _TIPS, self._captions, _CELLS, strict=True):
+        self._grid.setContentsMargins(0, 0, 0, 0)
+        self._grid.setSpacing(1)
+        for plot, tip in zip((self._geometry, self._blends, self._weights), _TIPS, strict=True):
             plot.setToolTip(tip)
+        self._place(_BESIDE)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place(_BESIDE if event.size().width() >= _WIDE else _BELOW)
+
+    def _place(self, arrangement: _Arrangement) -> None:
+        if arrangement is self._arrangement:
+            return
+        self._arrangement, grid = arrangement, self._grid
+        for captioned, cell, height in zip(self._captions, arrangement.cells, arrangement.heights, strict=True):
             grid.addWidget(captioned, *cell)
-        for column, stretch in enumerate(_COLUMN_STRETCHES):
-            grid.setColumnStretch(column, stretch)
-        for row in range(2):
-            grid.setRowStretch(row, 1)
+            captioned.setMinimumHeight(height)
+        for column in range(3):
+            grid.setColumnStretch(column, arrangement.columns[column])
+        for row in range(4):
+            grid.setRowStretch(row, arrangement.rows[row])
 
 
 def _in_a_row(texts: list[str]) -> str:
@@ -161,7 +195,8 @@ def _place_texts(curve: OneCurve, u: float) -> tuple[str]:
 
 
 def _how_it_runs(curve: OneCurve) -> str:
+    over = f"over <i>{curve.parameter}</i>"
     if not curve.folding_parts:
-        return f"over <i>{curve.parameter}</i>"
+        return over
     parts = " and ".join(f"{low:.3g} to {high:.3g}" for low, high in curve.folding_parts)
     return coloured(f"folds back from {parts}", theme_in_force().warn)

@@ -137,3 +137,8 @@ class FactTable(QuietTable):
         """Write the names, which head their lines, in the quiet ink of the theme in force."""
         for row in range(self.rowCount()):
             self.item(row, 0).setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))
+
+    @property
+    def whole_height(self) -> int:
+        """How high it is with all its lines."""
+        return self.verticalHeader().defaultSectionSize() * self.rowCount() + 2

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtWidgets import QCheckBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QBoxLayout, QCheckBox, QHBoxLayout, QLabel, QStackedWidget, QVBoxLayout, QWidget
 
 from qovr_app.laboratory.change_bar import ChangeBar
 from qovr_app.laboratory.falloff_plot import FalloffPlot
@@ -31,7 +32,11 @@ from qovr_core.laboratory.influence import Influence, KnotMove, influence
 from qovr_core.number_texts import percent_text
 
 _NAME = "laboratory.influence"
-_TABLE_WIDTH = 196
+_TABLE_WIDTH, _ANY = 196, 16_777_215
+_WIDE = 560
+"""From this width on the parts stand beside each other."""
+
+_LEAST_MAP, _LEAST_PLOT = 190, 170
 _WHAT_TO_DO = (
     "Select a control point in the view, or click into the field of a point or a knot: "
     "what it moves, how far, and what the edges do is shown here."
@@ -104,6 +109,7 @@ class InfluencePanel(LaboratoryPanel):
             self._map.show_influence(found)
             self._plot.show_influence(found, fall)
             self._table.show_facts(facts(found, fall))
+            self._place(is_wide=self.width() >= _WIDE)
             self._on_map_hovered(None)
             self._on_plot_hovered(None)
 
@@ -133,14 +139,26 @@ class InfluencePanel(LaboratoryPanel):
         part = percent_text(most / self._moved.influence.largest)
         self._plot_caption.setText(f"<i>d</i> {distance:.2f}: up to {value_text(most)} = {part}")
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._place(is_wide=self.width() >= _WIDE)
+
+    def _place(self, *, is_wide: bool) -> None:
+        """Put map, plot and numbers beside each other, or below each other where there is no room for that."""
+        directions = QBoxLayout.Direction.TopToBottom, QBoxLayout.Direction.LeftToRight
+        self._parts.setDirection(directions[is_wide])
+        self._table.setMinimumSize(*((_TABLE_WIDTH, 0) if is_wide else (0, self._table.whole_height)))
+        self._table.setMaximumWidth(_TABLE_WIDTH if is_wide else _ANY)
+        self._map.setMinimumHeight(_LEAST_MAP)
+        self._plot.setMinimumHeight(_LEAST_PLOT)
+
     def _arrange(self) -> None:
         self._content = QWidget(self)
-        parts = QHBoxLayout(self._content)
+        self._parts = parts = QBoxLayout(QBoxLayout.Direction.LeftToRight, self._content)
         parts.setContentsMargins(0, 0, 0, 0)
         parts.setSpacing(2 * SPACE)
         parts.addLayout(_captioned(self._map, self._map_caption), 6)
         parts.addLayout(_captioned(self._plot, self._plot_caption, self._log), 5)
-        self._table.setFixedWidth(_TABLE_WIDTH)
         parts.addWidget(self._table)
         self._stack = QStackedWidget(self)
         self._stack.addWidget(self._words)
