@@ -60,6 +60,12 @@ for record in (
         _lazily("comparison_panel", "ComparisonPanel"),
     ),
     PanelRecord(
+        "section",
+        "&Section",
+        "Where a plane cuts the surface: in the view, as a curve with its length, and as points",
+        _lazily("section_panel", "SectionPanel"),
+    ),
+    PanelRecord(
         "claims",
         "C&laims",
         "What the paper says of its surfaces, and what is so",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import StrEnum
 
+from qovr_core.document import NetIndex
 from qovr_core.fields import Field
 from qovr_core.layer import Layer
 
@@ -128,6 +129,22 @@ class Underlay:
 
 
 @dataclass(frozen=True)
+class SectionChoice:
+    """The plane that cuts the surface.
+
+    Parameters
+    ----------
+    axis : x, y or z is constant on it, by its number
+    place : what it is there; None for the middle of the surface
+    through : two control points through which the plane stands upright instead
+    """
+
+    axis: int = 1
+    place: float | None = None
+    through: tuple[NetIndex, NetIndex] | None = None
+
+
+@dataclass(frozen=True)
 class DisplaySettings:
     """Everything a user can choose about the picture and what is around it, apart from the camera; ``replace`` makes
     the next one.
@@ -135,7 +152,8 @@ class DisplaySettings:
     ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera. ``shares_range``
     lets a colour mean the same in both layers where both are shown. ``always_fits`` lets axes and colours follow every
     edit, not only another document, formulation or layer. ``combs_u`` and ``combs_v`` are curvature combs on isolines
-    along u and v, their teeth ``comb_scale`` times as long as at first.
+    along u and v, their teeth ``comb_scale`` times as long as at first. ``section`` is seen while its
+    panel is.
     """
 
     layer: LayerChoice = LayerChoice.TRANSFORMED
@@ -157,6 +175,7 @@ class DisplaySettings:
     combs_u: bool = False
     combs_v: bool = False
     comb_scale: float = 1.0
+    section: SectionChoice | None = None
     control_box: bool = False
     surface_box: bool = False
     knot_handles: bool = True

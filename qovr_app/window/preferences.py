@@ -23,7 +23,7 @@ _MOST_RECENT = 9
 
 _FORGOTTEN = (
     "theme", "fixed_range", "underlay", "selects", "measures", "symmetry_rows", "symmetry_columns", "mirror_rows",
-    "mirror_columns",
+    "mirror_columns", "section",
 )  # fmt: skip
 """Settings that follow the system, or belong to one document, and are not remembered."""
 

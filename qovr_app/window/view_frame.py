@@ -14,6 +14,7 @@ from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.pending import points_that_differ, refused_points
 from qovr_app.state.requests import CameraAsked, CameraStep, FocusAsked, ViewRestartAsked
+from qovr_app.state.sections import settings_shown
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
@@ -224,7 +225,7 @@ def shown_of(state: EditorState) -> Shown:
     return Shown(
         evaluation=state.evaluation,
         document=state.shown_document,
-        settings=state.display,
+        settings=settings_shown(state.display, state.panel),
         tools=state.tools,
         selected=state.selection.points,
         last_selected=state.selection.last,

@@ -16,6 +16,7 @@ from qovr_app.view3d.scene.combs import combs_along
 from qovr_app.view3d.scene.frame import Frame
 from qovr_app.view3d.scene.net_marks import gaps
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.sections import section_lines
 from qovr_core.arrays import Array, Flags
 
 _PIECES, _LINE_PIECES = 8, 48
@@ -26,7 +27,7 @@ _LEAST_GAP, _LEAST_LINES = 8.0, 32
 
 COMPARISON_WIDTH = 1.2
 _NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
-_TOOTH_WIDTH, _TIPS_WIDTH = 0.7, 1.3
+_TOOTH_WIDTH, _TIPS_WIDTH, _SECTION_WIDTH = 0.7, 1.3, 2.4
 _GONE = 2
 """What a piece of a line is that cannot be drawn, beside dim, 1, and not, 0."""
 
@@ -76,6 +77,9 @@ def lines_of(picture: Picture, size: Size) -> list[Lines]:
         curves = scene.column_curves[_shown_rows(picture.net_points.transpose(1, 0, 2))]
         found.append(Lines(curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
     found += _combs(picture)
+    if settings.section is not None:
+        name, pieces = section_lines(scene, settings.section)
+        found += [Lines(piece[None], theme.bad, _SECTION_WIDTH, name=name) for piece in pieces]
     if len(scene.lines):
         found.append(Lines(scene.lines, theme.comparison, COMPARISON_WIDTH, name=scene.lines_name))
     return found
