@@ -10,7 +10,17 @@ import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QImage
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QCheckBox, QComboBox, QDialog, QDialogButtonBox, QFileDialog, QLabel, QSlider, QSpinBox
+from PySide6.QtWidgets import (
+    QCheckBox,
+    QComboBox,
+    QDialog,
+    QDialogButtonBox,
+    QFileDialog,
+    QLabel,
+    QScrollArea,
+    QSlider,
+    QSpinBox,
+)
 
 from qovr_app.laboratory.curve_drawings import Drawing
 from qovr_app.state.display import ThemeName
@@ -311,6 +321,11 @@ def test_every_part_has_a_spoken_name_and_is_seen(make_editor):
         widget = editor.find(f"laboratory.curve.{name}")
         assert widget.accessibleName()
         seen = widget.viewport() if hasattr(widget, "viewport") else widget
+        parent = widget.parentWidget()
+        while not isinstance(parent, QScrollArea):
+            parent = parent.parentWidget()
+        parent.ensureWidgetVisible(widget)
+        editor.settle()
         assert seen.visibleRegion().boundingRect() == seen.rect(), name
 
 
