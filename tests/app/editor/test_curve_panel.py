@@ -321,10 +321,10 @@ def test_every_part_has_a_spoken_name_and_is_seen(make_editor):
         widget = editor.find(f"laboratory.curve.{name}")
         assert widget.accessibleName()
         seen = widget.viewport() if hasattr(widget, "viewport") else widget
-        parent = widget.parentWidget()
-        while not isinstance(parent, QScrollArea):
-            parent = parent.parentWidget()
-        parent.ensureWidgetVisible(widget)
+        parent = widget
+        while (parent := parent.parentWidget()) is not None:
+            if isinstance(parent, QScrollArea):
+                parent.ensureWidgetVisible(widget.parentWidget())
         editor.settle()
         assert seen.visibleRegion().boundingRect() == seen.rect(), name
 
