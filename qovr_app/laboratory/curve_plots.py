@@ -150,7 +150,7 @@ class CurvePlots(QWidget):
     def _arrange(self) -> None:
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(1)
-        for plot, tip in zip((self._geometry, self._blends, self._weights), _TIPS, strict=True):
+        for plot, tip in zip(self._plots, _TIPS, strict=True):
             plot.setToolTip(tip)
         self._place(_BESIDE)
 
