@@ -140,7 +140,7 @@ class CurvePlots(QWidget):
             notes = f"of the parabolas, {over}", f"of the points, {over}", _how_it_runs(curve)
             for plot, caption, note in zip(self._functions, over_functions, notes, strict=True):
                 legend = _in_a_row(plot.legend())
-                caption.say(f"{legend}&nbsp;&nbsp; {note}", legend)
+                caption.say(f"{legend}&nbsp;&nbsp; {note}", note if plot is self._transformations else legend)
             return
         values = curve.blends([u])[0], curve.weights([u])[0], curve.transformed([u])[0]
         for plot, caption, of_plot in zip(self._functions, over_functions, values, strict=True):
@@ -199,4 +199,4 @@ def _how_it_runs(curve: OneCurve) -> str:
     if not curve.folding_parts:
         return over
     parts = " and ".join(f"{low:.3g} to {high:.3g}" for low, high in curve.folding_parts)
-    return coloured(f"folds back from {parts}", theme_in_force().warn)
+    return coloured(f"folds back {parts}", theme_in_force().warn)

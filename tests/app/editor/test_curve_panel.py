@@ -186,7 +186,7 @@ def test_the_fold_back_is_marked(panel):
     editor.type_into("row_knots.C_4.u", "0.2")
     assert [band.isVisible() for band in plot.folds] == [True, False]
     assert plot.folds[0].getRegion() == pytest.approx((0.650434559, 0.907059523))
-    assert "folds back from 0.65 to 0.907" in " ".join(caption(panel, "transformations").split())
+    assert "folds back 0.65 to 0.907" in " ".join(caption(panel, "transformations").split())
     editor.type_into("row_knots.C_4.s", "0.98")
     low, high = plot.view_box.viewRange()[1]
     assert low < 0 < plot.values[:, 1].max() < high
