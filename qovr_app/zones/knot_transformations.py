@@ -46,12 +46,13 @@ class KnotTransformations(QWidget):
         self._title.setVisible(self.height() >= LOWEST + self._title.sizeHint().height() + 3 * SPACE)
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
-        """Show the curve in focus, or the one whose knot had the keyboard last; the first one before any had it."""
+        """Show the curve in focus, or the one whose knot had the keyboard last; at first, the first that counts."""
         if not after.differs(before, "draft", "fields", "window"):
             return
         place = after.fields.get(Zone(self._direction.value))
         if not isinstance(place, KnotPlace):
-            place = KnotPlace(self._direction, 0, "u")
+            first, *_ = after.draft.formulation.active_curves(self._direction) or (0,)
+            place = KnotPlace(self._direction, first, "u")
         knots = knots_of(after.draft, self._direction)[place.curve]
         self._plot.show_curve(KnotInHand(place, window_along(after.window, self._direction), knots))
         name = symbol_html(self._direction.letter, str(place.curve))

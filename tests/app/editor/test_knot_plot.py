@@ -71,6 +71,11 @@ def test_it_shows_the_curve_that_was_turned_to_and_follows_its_knots(editor):
     assert plot_of(editor, Direction.COLUMNS).accessibleDescription().startswith("r 0.4, s 0.6, v 0.7")
 
 
+def test_it_shows_at_first_a_curve_that_counts(make_editor):
+    editor = make_editor("paper:fig5", size=(1600, 1100))
+    assert plot_of(editor).accessibleName().startswith("Transformations of C_4 ")
+
+
 def test_the_handles_are_where_the_paper_s_formulas_have_them(editor):
     plot = plot_of(editor)
     r, s, u, t = knots(editor)
