@@ -8,7 +8,7 @@ import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QDialogButtonBox, QFileDialog, QToolButton
+from PySide6.QtWidgets import QApplication, QComboBox, QDialogButtonBox, QFileDialog, QToolButton
 
 from gestures.gesture import GestureHand
 from qovr_core.presets import preset
@@ -33,7 +33,8 @@ class Worker(GestureHand):
             (action,) = (each for each in menu.actions() if each.text().replace("&", "") == title)
             self.click_on(menu, menu.actionGeometry(action).center())
             menu = action.menu()
-        self.editor.settle()
+            if menu is not None:
+                wait_until(menu.isVisible)
 
 
 def counted(task):
@@ -44,8 +45,9 @@ def counted(task):
 
 @pytest.fixture
 def worker(editor):
+    editor.window.activateWindow()
+    wait_until(editor.window.isActiveWindow)
     made = Worker(editor)
-    editor.settle()
     yield made
     while (popup := QApplication.activePopupWidget()) is not None:
         popup.close()
@@ -114,7 +116,8 @@ def test_a_figure_for_a_column_of_85_mm(worker, home, monkeypatch):
     monkeypatch.setattr(QFileDialog, "getSaveFileName", typed)
     worker.click_on(worker.editor.find("surface.figure"))
     dialog = worker.editor.dialog("figure")
-    assert QApplication.focusWidget().objectName() == "figure.size"
+    dialog.activateWindow()
+    wait_until(lambda: QApplication.focusWidget() is dialog.findChild(QComboBox, "figure.size"))
     worker.type("o")
     worker.click_on(dialog.findChild(QDialogButtonBox).button(QDialogButtonBox.StandardButton.Save))
     wait_until(lambda: "Wrote" in worker.editor.message(), 60)
