@@ -16,7 +16,8 @@ from qovr_app.window.knots_in_view import curve_choices, knot_choices
 _COMMANDS = {
     MenuPlace.KNOT: ("link_curves", "link_directions", "", "show_knot_handles"),
     MenuPlace.POINT: (
-        "select_all", "select_none", "", "flatten_height", "flatten_plane", "align_z", "smooth_points", "",
+        "select_all", "select_none", "",
+        "transform_points", "flatten_height", "flatten_plane", "align_z", "smooth_points", "",
         "symmetry_rows", "symmetry_columns", "soft", "xray", "", "hide_points", "isolate_points",
         "show_points", "", "fit_selection",
     ),

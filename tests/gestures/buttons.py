@@ -14,7 +14,7 @@ _KEYS = {"Shift": Qt.Key.Key_Shift, "Ctrl": Qt.Key.Key_Control}
 
 def _add_menus():
     kinds = {
-        "a point": ("context.point", lambda hand: hand.place(4, 2), "smooth_points"),
+        "a point": ("context.point", lambda hand: hand.place(4, 2), "transform_points"),
         "a line of the net": (
             "context.net_line",
             lambda hand: (hand.place(0, 1) + hand.place(0, 2)) / 2,
