@@ -1,6 +1,8 @@
-"""Functions of the curve's parameter: weights, and the transformations with handles on the knots."""
+"""Functions of the curve's parameter: the weights."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import Qt
@@ -62,10 +64,7 @@ class FunctionPlot(Plot):
     def legend(self, values: Array | None = None, *, decimals: int = 3, named: bool = True) -> list[str]:
         """Return the functions' names in their colours as rich text, with their values where they are given."""
         names = self._symbols if named else [""] * len(self._symbols)
-        if values is not None:
-            numbers = (fixed_text(value, decimals) for value in values)
-            names = [f"{name} {number}".strip() for name, number in zip(names, numbers, strict=True)]
-        return [coloured(name, colour) for name, colour in zip(names, self.series, strict=True)]
+        return legend_of(names, self.series, values, decimals)
 
     def show_functions(self, values: Array, u_ip: float, bounds: tuple[float, float]) -> None:
         """Show the functions' values at ``SAMPLES``, (n, k), in a range that holds ``bounds`` at least."""
@@ -93,3 +92,11 @@ class WeightsPlot(FunctionPlot):
         low, high = min(0.0, float(values.min())), max(1.0, float(values.max()))
         room = _HEADROOM * (high - low)
         self.show_functions(values, u_ip, (low - room, high + room))
+
+
+def legend_of(names: Sequence[str], colours: Sequence[Rgb], values: Array | None, decimals: int) -> list[str]:
+    """Return functions' names in their colours as rich text, with their values where they are given."""
+    if values is not None:
+        numbers = (fixed_text(value, decimals) for value in values)
+        names = [f"{name} {number}".strip() for name, number in zip(names, numbers, strict=True)]
+    return [coloured(name, colour) for name, colour in zip(names, colours, strict=True)]

@@ -9,15 +9,12 @@ from qovr_app.laboratory.curve_drawings import CurveDrawing
 from qovr_app.laboratory.curve_plots import CurvePlots
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import ValuesEdited
 from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import DrawingAsked
 from qovr_app.store import Store
 from qovr_app.style.theme import theme_of
 from qovr_app.work.worker import Worker
 from qovr_core import QovrError
-from qovr_core.edits import Place
-from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.one_curve import OneCurve, curve_of
 
 
@@ -27,13 +24,12 @@ class CurvePanel(LaboratoryPanel):
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, parent)
         self._bar = CurveBar(self)
-        self._plots = CurvePlots(self)
+        self._plots = CurvePlots(store, self)
         self._bar.choice_changed.connect(lambda: self._show_curve(self.store.shown))
         self._bar.comb.toggled.connect(lambda _is_wanted: self._show_comb(self.store.shown))
         self._bar.comb.scaled.connect(lambda scale: store.dispatch(DisplayChosen("comb_scale", scale)))
         self._bar.scales_linked.connect(self._plots.set_equal_scales)
         self._bar.figure_requested.connect(self._save_figure)
-        self._plots.knots_moved.connect(self._on_knots_moved)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -71,13 +67,6 @@ class CurvePanel(LaboratoryPanel):
             self.tell(f"{error}.", is_refusal=True)
             return
         self._plots.show_curve(curve, document.formulation, self._bar.view)
-
-    def _on_knots_moved(self, wanted: dict[str, float], gesture: int) -> None:
-        if (curve := self.curve) is not None:
-            values: dict[Place, float] = {
-                KnotPlace(curve.direction, curve.number, name): value for name, value in wanted.items()
-            }
-            self.store.dispatch(ValuesEdited(values, gesture))
 
     def _save_figure(self) -> None:
         document = self.store.shown.shown_document

@@ -5,15 +5,15 @@ from __future__ import annotations
 from math import isfinite
 from typing import NamedTuple
 
-from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QWidget
 
-from qovr_app.laboratory.curve_functions import FunctionPlot, WeightsPlot
+from qovr_app.laboratory.curve_functions import WeightsPlot
 from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
 from qovr_app.laboratory.plots import Captioned
 from qovr_app.laboratory.wording import value_text
+from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.symbols import coloured, symbol_html
 from qovr_app.style.theme import Theme
@@ -30,10 +30,8 @@ Dashed: what is blended beyond their points
 Rings: where the parameter is 0, its internal knot, and 1""",
     "How much each parabola counts: (1-u)^2, 2u(1-u) and u^2",
     "How much each point counts; the five weights sum to 1",
-    """Drag the rings: r_ip on the left edge, s_ip and u_ip in the middle, t_ip on the right edge
-A shaded band: there the curve runs backwards on evenly spaced points""",
 )
-"""What each plot shows, in the order of the plots."""
+"""What each plot shows, in the order of the plots; the last one says it itself."""
 
 _Cell = tuple[int, int, int, int]
 
@@ -58,16 +56,9 @@ _WIDE = 560
 
 
 class CurvePlots(QWidget):
-    """Shows a curve and its parts; a place under the mouse in one plot is marked in all of them.
+    """Shows a curve and its parts; a place under the mouse in one plot is marked in all of them."""
 
-    Signals
-    -------
-    knots_moved : a dict of knot names and wanted values, and the drag's gesture
-    """
-
-    knots_moved = Signal(object, int)
-
-    def __init__(self, parent: QWidget | None = None) -> None:
+    def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._shown: tuple[OneCurve, Formulation] | None = None
         self._has_comb = False
@@ -82,15 +73,19 @@ class CurvePlots(QWidget):
         self._weights = WeightsPlot(
             "laboratory.curve.weights", "The weights of the five points", points, [0, 1, 2, 3, 4], self
         )
-        self._transformations = TransformationsPlot(self)
-        self._functions: tuple[FunctionPlot, ...] = self._blends, self._weights, self._transformations
+        self._transformations = TransformationsPlot(store, self)
+        self._functions: tuple[WeightsPlot | TransformationsPlot, ...] = (
+            self._blends,
+            self._weights,
+            self._transformations,
+        )
         self._plots = self._geometry, *self._functions
-        self._captions = [Captioned(plot, self) for plot in self._plots]
+        self._captions = [Captioned(plot, plot.small_font, self) for plot in self._plots]
         self._arrange()
         self._geometry.hovered.connect(lambda place: self._show_hover(place and self._geometry.nearest(place)))
-        for plot in self._functions:
+        for plot in (self._blends, self._weights):
             plot.hovered.connect(lambda place: self._show_hover(place and min(max(place[0], 0.0), 1.0)))
-        self._transformations.knots_moved.connect(self.knots_moved)
+        self._transformations.hovered.connect(self._show_hover)
 
     @property
     def curve(self) -> OneCurve | None:
@@ -99,7 +94,7 @@ class CurvePlots(QWidget):
 
     def show_theme(self, theme: Theme) -> None:
         """Draw in other colours."""
-        for plot in self._plots:
+        for plot in (self._geometry, self._blends, self._weights):  # the other one is painted in the theme in force
             plot.show_theme(theme)
         self._show_captions(None)
 
@@ -119,7 +114,7 @@ class CurvePlots(QWidget):
         self._geometry.show_curve(curve, view)
         self._blends.show_weights(curve.blends(SAMPLES), curve.knots.u)
         self._weights.show_weights(curve.weights(SAMPLES), curve.knots.u)
-        self._transformations.show_curve(curve)
+        self._transformations.show_part(curve)
         self._show_hover(None)
 
     def _show_hover(self, u: float | None) -> None:
@@ -150,7 +145,7 @@ class CurvePlots(QWidget):
     def _arrange(self) -> None:
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setSpacing(1)
-        for plot, tip in zip(self._plots, _TIPS, strict=True):
+        for plot, tip in zip((self._geometry, self._blends, self._weights), _TIPS, strict=True):
             plot.setToolTip(tip)
         self._place(_BESIDE)
 

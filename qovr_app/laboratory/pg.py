@@ -67,23 +67,6 @@ if TYPE_CHECKING:
         def setPen(self, pen: QPen) -> None: ...
         def setValue(self, value: float) -> None: ...
 
-    class LinearRegionItem(QGraphicsObject):
-        lines: list[InfiniteLine]
-
-        def __init__(self, *, movable: bool) -> None: ...
-        def setBrush(self, brush: QBrush) -> None: ...
-        def setRegion(self, region: tuple[float, float]) -> None: ...
-
-    class TargetItem(QGraphicsObject):
-        sigPositionChanged: SignalInstance
-        sigPositionChangeFinished: SignalInstance
-
-        def __init__(self, *, size: float, symbol: str) -> None: ...
-        def setPen(self, pen: QPen) -> None: ...
-        def setBrush(self, brush: QBrush) -> None: ...
-        def setHoverPen(self, pen: QPen) -> None: ...
-        def setHoverBrush(self, brush: QBrush) -> None: ...
-
     class AxisItem:
         label: QGraphicsTextItem
         labelText: str
@@ -135,12 +118,10 @@ if TYPE_CHECKING:
 else:
     from pyqtgraph import (
         InfiniteLine,
-        LinearRegionItem,
         PlotCurveItem,
         PlotDataItem,
         PlotWidget,
         ScatterPlotItem,
-        TargetItem,
         TextItem,
         ViewBox,
     )
@@ -148,12 +129,10 @@ else:
 __all__ = [
     "Colour",
     "InfiniteLine",
-    "LinearRegionItem",
     "PlotCurveItem",
     "PlotDataItem",
     "PlotWidget",
     "ScatterPlotItem",
-    "TargetItem",
     "TextItem",
     "ViewBox",
     "make_brush",

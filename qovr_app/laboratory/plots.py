@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TypeVar
 
 from PySide6.QtCore import QEvent, QPointF, QSize, Qt, Signal
-from PySide6.QtGui import QPen, QResizeEvent
+from PySide6.QtGui import QFont, QPen, QResizeEvent
 from PySide6.QtWidgets import QFrame, QGraphicsObject, QLabel, QSizePolicy, QVBoxLayout, QWidget
 
 from qovr_app.laboratory import pg
@@ -20,15 +20,12 @@ Series = pg.PlotDataItem
 Dots = pg.ScatterPlotItem
 Text = pg.TextItem
 Rule = pg.InfiniteLine
-Band = pg.LinearRegionItem
-Handle = pg.TargetItem
 
 Item = TypeVar("Item", bound=QGraphicsObject)
 
 _LABEL_MARGIN = 1
 _GRID = 0.16
 _PADDING = 0.04
-_BEHIND, _IN_FRONT = -10, 10
 
 
 class Plot(pg.PlotWidget):
@@ -107,25 +104,11 @@ class Plot(pg.PlotWidget):
         """Return a new line from bottom to top."""
         return self._added(Rule(angle=90))
 
-    def make_level(self, value: float) -> Rule:
-        """Return a new line from left to right, behind everything."""
-        return self._added(Rule(pos=value, angle=0), layer=_BEHIND)
-
-    def make_band(self) -> Band:
-        """Return a new band from bottom to top, behind everything."""
-        return self._added(Band(movable=False), layer=_BEHIND)
-
-    def make_handle(self, size: float) -> Handle:
-        """Return a new disc that the mouse can drag, before everything."""
-        return self._added(Handle(size=size, symbol="o"), layer=_IN_FRONT)
-
     def settle(self) -> None:
         """Bring range and axes to what is drawn now; left to the next painting, they would ask for another one."""
         self.scene().prepareForPaint()
 
-    def _added(self, item: Item, *, bounds: bool = False, layer: float | None = None) -> Item:
-        if layer is not None:
-            item.setZValue(layer)
+    def _added(self, item: Item, *, bounds: bool = False) -> Item:
         self.addItem(item, ignoreBounds=not bounds)
         return item
 
@@ -144,12 +127,12 @@ class Plot(pg.PlotWidget):
 class Captioned(QWidget):
     """A plot under one line of text."""
 
-    def __init__(self, plot: Plot, parent: QWidget | None = None) -> None:
+    def __init__(self, plot: QWidget, font: QFont, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._texts: tuple[str, ...] = ("",)
         self._label = named(QLabel(self), f"{plot.objectName()}.caption")
         self._label.setTextFormat(Qt.TextFormat.RichText)
-        self._label.setFont(plot.small_font)
+        self._label.setFont(font)
         self._label.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._label.setContentsMargins(SPACE, 1, SPACE, 1)
         layout = QVBoxLayout(self)

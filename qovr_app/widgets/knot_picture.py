@@ -136,7 +136,7 @@ class KnotPicture:
         painter.setBrush(QColor(*theme.background))
         painter.drawRect(frame.box)
         self._paint_folds(painter)
-        painter.setPen(QPen(QColor(*theme.axis), 1.0))
+        painter.setPen(QPen(QColor(*theme.edge), 1.0))
         for value in (0, 1):
             painter.drawLine(QLineF(frame.at(0, value), frame.at(1, value)))
         self._upright(painter, self.knots.u, theme.axis, Qt.PenStyle.DashLine)
