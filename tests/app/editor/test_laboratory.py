@@ -115,9 +115,11 @@ def test_the_focus_is_the_knot_or_point_that_came_last(lab):
     lab.settle()
     assert panel.foci[-1] is None
     lab.field("row_knots.C_0.t").setFocus()
-    lab.window.view.points_picked.emit((), Picking.REPLACE)
     lab.settle()
     assert panel.foci[-1] == KnotPlace(Direction.ROWS, 0, "t")
+    lab.window.view.points_picked.emit((), Picking.REPLACE)
+    lab.settle()
+    assert panel.foci[-1] is None
 
 
 def test_panels_follow_the_theme(lab):
