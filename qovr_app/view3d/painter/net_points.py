@@ -15,7 +15,7 @@ from qovr_app.view3d.painter.legend import Room
 from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.net_flags import flags_of
-from qovr_app.view3d.scene.net_marks import LAST, OTHER, covers, gaps, is_within, levels, ranks, with_room
+from qovr_app.view3d.scene.net_marks import LAST, MANY, OTHER, covers, gaps, is_within, levels, ranks, with_room
 from qovr_app.view3d.scene.picture import Picture, emphasis, has_colour_bar
 from qovr_app.view3d.scene.triad import REACH, has_triad, triad_centre
 from qovr_core.arrays import Array, Flags
@@ -95,18 +95,19 @@ def draw_labels(
         return
     order = np.lexsort((-levels((rows, columns))[i, j], rank[i, j]))
     i, j = i[order], j[order]
-    larger = emphasis(size)
+    larger, rank = emphasis(size), rank[i, j]
     pixels, offset = round(larger * SMALL), larger * np.array(_LABEL_OFFSET)
     width, height = text_size(_name(rows - 1, columns - 1), pixels)
-    # The name of a selected point begins beside its ring, and is away from the arrows where it has some.
-    beside = offset[0] + np.where(rank[i, j] != OTHER, larger * _RING_RADIUS, 0.0)
-    corners = seen[i, j] + [0.0, offset[1] - _LABEL_RISE * height]
-    corners[:, 0] += beside
     taken = np.array([*_taken(picture, size), *([legend] if legend else [])])
-    turns = covers(corners, (width, height), taken) | ((rank[i, j] == LAST) & picture.has_gizmo)
-    corners[turns, 0] -= width + 2 * beside[turns]
+    discs = _discs(picture, seen, size, larger)
+    # The name of a selected point begins beside its ring, and is away from the arrows where it has some.
+    beside = offset[0] + np.where(rank != OTHER, larger * _RING_RADIUS, 0.0)
+    at = seen[i, j] + [0.0, offset[1] - _LABEL_RISE * height]
+    corners = _beside(at, beside, (width, height), (rank == LAST) & picture.has_gizmo, (discs, taken))
+    is_wanted = (rank != OTHER) | ~covers(corners, (width, height), discs)
+    i, j, rank, corners = i[is_wanted], j[is_wanted], rank[is_wanted], corners[is_wanted]
     more = float(np.clip(_CROWDED * width / max(*gaps(seen), _LEAST_RADIUS), 1.0, _MOST_ROOM))
-    marked = int((rank[i, j] != OTHER).sum())
+    marked = int((rank != OTHER).sum())
     chosen, opacities = with_room(corners, (more * width, more * height), taken, marked)
     for number, opacity in zip(chosen.tolist(), opacities.tolist(), strict=True):
         is_marked = number < marked
@@ -114,6 +115,34 @@ def draw_labels(
         at = tuple(corners[number].tolist())
         name = _name(i[number], j[number])
         draw_text(painter, name, at, (0, 0), ink, pixels=pixels, halo=theme.rim, opacity=opacity)
+
+
+def _beside(at: Array, beside: Array, room: tuple[float, float], turns: Flags, ground: tuple[Array, Array]) -> Array:
+    """Return the upper left corners of names: at the right of their points, or at the left where that helps.
+
+    Parameters
+    ----------
+    at, beside : (k, 2) points, the height that of a name's upper side; (k,) how far from them names begin
+    turns : which stand at the left in any case
+    ground : what they should not cover, and what they cannot
+    """
+    discs, taken = ground
+    right, left = at.copy(), at.copy()
+    right[:, 0] += beside
+    left[:, 0] -= room[0] + beside
+    for in_the_way in (np.concatenate([discs, taken]), taken):
+        turns = turns | (covers(right, room, in_the_way) & ~covers(left, room, in_the_way))
+    corners: Array = np.where(turns[:, None], left, right)
+    return corners
+
+
+def _discs(picture: Picture, seen: Array, size: Size, larger: float) -> Array:
+    """Return the boxes of the discs, which only the name of a marked point covers, (m, 4); none where they are many."""
+    places = seen[is_within(seen, size)]
+    if not picture.settings.control_points or len(places) > MANY:
+        return np.empty((0, 4))
+    reach = larger * _radius(seen)
+    return np.concatenate([places - reach, places + reach], axis=1)
 
 
 def _taken(picture: Picture, size: Size) -> list[Room]:

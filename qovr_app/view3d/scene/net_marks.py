@@ -19,6 +19,9 @@ _FADES_WITHIN = 0.4
 
 _FAINTEST = 0.25
 
+MANY = 200
+"""Points above which names thin out by their room alone: of their boxes, the first in every cell is looked at."""
+
 LAST, HOVERED, SELECTED, OTHER = range(4)
 """Ranks of points: whose name has the right of way."""
 
@@ -67,10 +70,9 @@ def _levels(count: int) -> Numbers:
 
 def covers(corners: Array, room: tuple[float, float], taken: Array) -> Flags:
     """Return which boxes, as below, lie on what is never covered."""
-    (left, top), (width, height) = corners.T, room
-    found = np.zeros(len(corners), dtype=bool)
-    for a, b, c, d in taken.tolist():
-        found |= (left < c) & (left + width > a) & (top < d) & (top + height > b)
+    upper, low, high = corners[:, None], taken[:, :2], taken[:, 2:]
+    both: Flags = (upper < high) & (upper + room > low)
+    found: Flags = np.any(both[..., 0] & both[..., 1], axis=1)
     return found
 
 
@@ -86,7 +88,7 @@ def with_room(corners: Array, room: tuple[float, float], taken: Array, freely: i
     """
     width, height = room
     is_free = ~covers(corners, room, taken)
-    if len(corners) > _MANY:
+    if len(corners) > MANY:
         is_free &= _first_in_cells(corners, room)
     numbers, away = np.flatnonzero(is_free), np.full(len(corners), np.inf)
     (left, top), away = corners[numbers].T, away[numbers]
@@ -100,10 +102,6 @@ def with_room(corners: Array, room: tuple[float, float], taken: Array, freely: i
     chosen = numbers[kept]
     opacity = np.clip((away[kept] - 1) / _FADES_WITHIN, _FAINTEST, 1.0)
     return chosen, np.where(chosen < freely, 1.0, opacity)
-
-
-_MANY = 200
-"""Boxes above which only the first in every cell of their size is looked at."""
 
 
 def _first_in_cells(corners: Array, room: tuple[float, float]) -> Flags:

@@ -6,10 +6,11 @@ import pytest
 from qovr_app.state.display import ColourMap, DisplaySettings, LayerChoice, Projection, Style, ThemeName
 from qovr_app.style.colour_maps import colours_of
 from qovr_app.view3d.painter.colour_bar import bar_rect
-from qovr_core import configure
+from qovr_core import Formulation, configure
 from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.document import Document
-from support.view import change
+from qovr_core.edits import set_formulation
+from support.view import change, choose
 
 PLAIN = {
     "control_points": False,
@@ -170,6 +171,20 @@ def test_labels_stand_beside_their_points(make_view, document, renderer, expecte
         top, bottom, left, right = (round(at * ratio) for at in (y - 14, y, x + 7, x + 26))
         beside = image[top:bottom, left:right]
         assert (beside.sum(axis=-1) < 250).sum() > 15, index
+
+
+def test_the_names_of_a_crowded_net_leave_its_discs_alone(make_view, document, no_opengl, expected_pixel):
+    """The raw surface is ten times as large as its net: with names and without, the discs are the same."""
+    document = set_formulation(document, Formulation.PUBLISHED)
+    view = make_view(document, layer=LayerChoice.RAW, axes=False).view
+    named = pixels_of(view.image())
+    choose(view, labels=False)
+    bare = pixels_of(view.image())
+    assert (named != bare).any()
+    ratio = view.devicePixelRatioF()
+    for index in np.ndindex(document.control_points.shape[:2]):
+        x, y = (round(ratio * at) for at in expected_pixel(view, document.control_points[index]))
+        np.testing.assert_array_equal(named[y - 3 : y + 4, x - 3 : x + 4], bare[y - 3 : y + 4, x - 3 : x + 4])
 
 
 def test_the_colour_bar_has_the_colours_of_the_surface(make_view, document, renderer, colour_at):
