@@ -188,7 +188,7 @@ class Layout(LineSplitter):
         for name, splitter in self._remembered(room).items():
             if not splitter.restoreState(self._kept.get(name, QByteArray())):
                 splitter.setSizes(self._first_sizes(splitter, room, scale))
-        self._middle.setOrientation(horizontal if room.is_below else vertical)
+        self._middle.setOrientation(horizontal if room.is_below else vertical)  # a state brings its own back
         self.setOrientation(vertical if room.is_below else horizontal)
 
     def _first_sizes(self, splitter: LineSplitter, room: Room, scale: float) -> list[int]:
@@ -233,7 +233,7 @@ class Layout(LineSplitter):
         for zone in self.field_zones:
             bad = sum(bool(field.error) for field in zone.fields.values())
             pending = sum(state.is_pending(place) for place in zone.fields)
-            colour = theme.bad if bad else theme.accent if pending else None
+            colour = theme.bad if bad else theme.pending if pending else None
             said = f"{bad} refused" if bad else f"{pending} not set" if pending else ""
             self._column.mark(zone.zone, colour, said)
 

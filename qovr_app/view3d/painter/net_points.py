@@ -45,7 +45,7 @@ def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
     radius = larger * _radius(seen)
     selected, is_seen = flags_of(picture.selected, hidden.shape), is_within(seen, size)
     dim = _SEEN_THROUGH if picture.tools.xray else _HIDDEN
-    for points, halo in ((picture.pending, theme.warn), (picture.refused, theme.bad)):
+    for points, halo in ((picture.pending, theme.pending), (picture.refused, theme.bad)):
         flags = flags_of(points, hidden.shape) & is_seen
         draw_discs(painter, seen[flags], size, Disc(larger * _HALO_RADIUS, halo, theme.rim))
     for flags, opacity in ((hidden & ~selected, dim), (~hidden & ~selected, 1.0)):
@@ -70,7 +70,7 @@ def _ring_colour(picture: Picture, index: NetIndex) -> Rgb:
     theme = picture.theme
     if index in picture.refused:
         return theme.bad
-    return theme.warn if index in picture.pending else theme.selected
+    return theme.pending if index in picture.pending else theme.selected
 
 
 def _radius(seen: Array) -> float:

@@ -143,7 +143,7 @@ def test_points_say_by_colour_what_is_with_them(make_view, document, renderer, e
         return colour_at(image, x + away, y)
 
     assert beside((1, 1), 0) == beside((2, 2), 0) == beside((2, 2), 10) == theme.selected
-    for index, halo in (((3, 3), theme.warn), ((0, 1), theme.bad)):
+    for index, halo in (((3, 3), theme.pending), ((0, 1), theme.bad)):
         assert beside(index, 0) == theme.point
         np.testing.assert_allclose(beside(index, 7), halo, atol=8)  # beside the edge of the disc
     assert beside((4, 0), 0) == theme.point
