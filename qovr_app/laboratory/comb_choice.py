@@ -11,9 +11,10 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.wheel import guard_from_wheels
 
-_STEPS_A_TENTH = 20
+_STEPS_TENFOLD = 20
 _REACH = 30
-"""The slider goes this many steps both ways: teeth from a thirtieth to thirty times their first length."""
+"""So many steps of the slider make teeth ten times as long, and so many it goes both ways: from a thirtieth to thirty
+times their first length."""
 
 _WIDTH = 70
 
@@ -47,7 +48,7 @@ class CombChoice(QWidget):
         layout.addWidget(self._check)
         layout.addWidget(self._slider)
         self._check.toggled.connect(self.toggled)
-        self._slider.valueChanged.connect(lambda step: self.scaled.emit(10 ** (step / _STEPS_A_TENTH)))
+        self._slider.valueChanged.connect(lambda step: self.scaled.emit(10 ** (step / _STEPS_TENFOLD)))
 
     @property
     def is_wanted(self) -> bool:
@@ -57,4 +58,4 @@ class CombChoice(QWidget):
     def show_scale(self, scale: float) -> None:
         """Show how long the teeth are."""
         with QSignalBlocker(self._slider):
-            self._slider.setValue(round(_STEPS_A_TENTH * log10(scale)))
+            self._slider.setValue(round(_STEPS_TENFOLD * log10(scale)))

@@ -17,9 +17,6 @@ _LONGEST = 0.5
 """The longest tooth as a part of what the curve covers, at scale 1."""
 
 
-NO_COMB: float | None = None
-
-
 class CombLines:
     """Teeth and the line along their tips, in a plot."""
 

@@ -10,7 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QBrush
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.laboratory.curve_comb import NO_COMB, CombLines
+from qovr_app.laboratory.curve_comb import CombLines
 from qovr_app.laboratory.pg import make_brush
 from qovr_app.laboratory.plots import Line, Plot
 from qovr_app.style.symbols import coloured, symbol_html
@@ -36,7 +36,8 @@ class GeometryPlot(Plot):
         self.view_box.setDefaultPadding(_ROOM_FOR_LABELS)
         self._shown: tuple[OneCurve, Plane] | None = None
         self._polygon = self.make_line()
-        self._comb, self._comb_scale = CombLines(self), NO_COMB
+        self._comb = CombLines(self)
+        self._comb_scale: float | None = None
         self._auxiliary = [self.make_line(bounds=False) for _ in range(3)]
         self._blended = [self.make_line() for _ in range(3)]
         self._whole = [self.make_line() for _ in range(3)]

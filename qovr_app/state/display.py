@@ -111,7 +111,7 @@ class LaboratoryPlace(StrEnum):
 
 @dataclass(frozen=True)
 class Underlay:
-    """A picture that lies under the net, in the plane of its lowest height, for something to be drawn after.
+    """A picture that lies under the net, on the floor of the axes box, for something to be drawn after.
 
     Parameters
     ----------

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain
 
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.field_facts import default_value
@@ -43,11 +43,7 @@ _LEAST_PLOT = 124
 
 
 class KnotsZone(FieldZone):
-    """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward.
-
-    ``plot_place`` lies under the fields, as wide as the zone and as high as what they leave: what explains the knots
-    in a picture goes into its layout, and says by its minimum size how low it may become.
-    """
+    """The knots of the five curves of one direction, as the net lies: rows upward, columns rightward."""
 
     longest = "0.123456"
     _check = staticmethod(checked_knot)
@@ -75,13 +71,9 @@ class KnotsZone(FieldZone):
         self._note = Note(f"{direction}.note", self)
         self._note.linkActivated.connect(lambda name: store.dispatch(FormulationChosen(name)))
         self._layout.addWidget(self._note)
-        self.plot_place = named(QWidget(self), f"{direction}.plot")
-        self.plot_place.setMinimumHeight(_LEAST_PLOT)
-        place = QVBoxLayout(self.plot_place)
-        place.setContentsMargins(0, 0, 0, 0)
-        self._transformations = KnotTransformations(direction, store, self.plot_place)
-        place.addWidget(self._transformations)
-        self._layout.addWidget(self.plot_place, 1)
+        self._transformations = named(KnotTransformations(direction, store, self), f"{direction}.plot")
+        self._transformations.setMinimumHeight(_LEAST_PLOT)
+        self._layout.addWidget(self._transformations, 1)
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         super().show_state(before, after)

@@ -72,16 +72,16 @@ def gizmo_under(picture: Picture, size: Size, x: float, y: float) -> Freedom | N
 def menu_wish(picture: Picture, size: Size, x: float, y: float) -> MenuWish:
     """Return for what a click with the right button at a pixel asks a menu."""
     if is_in_colour_bar(picture.settings, size, x):
-        return MenuWish(MenuPlace.COLOUR_BAR, (x, y))
+        return MenuWish(MenuPlace.COLOUR_BAR)
     handle = handle_under(picture, size, x, y)
     if handle is not None:
-        return MenuWish(MenuPlace.KNOT, (x, y), knot=handle.knot.place)
+        return MenuWish(MenuPlace.KNOT, knot=handle.knot.place)
     points, curve = points_under(picture, size, x, y), curve_under(picture, size, x, y)
     if points:
-        return MenuWish(MenuPlace.POINT, (x, y), tuple(points))
+        return MenuWish(MenuPlace.POINT, tuple(points))
     if curve is not None:
-        return MenuWish(MenuPlace.NET_LINE, (x, y), points_of(picture, curve), curve)
-    return MenuWish(MenuPlace.VIEW, (x, y))
+        return MenuWish(MenuPlace.NET_LINE, points_of(picture, curve), curve)
+    return MenuWish(MenuPlace.VIEW)
 
 
 def handle_under(picture: Picture, size: Size, x: float, y: float) -> KnotHandle | None:

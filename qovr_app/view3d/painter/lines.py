@@ -25,8 +25,7 @@ _PIECES, _LINE_PIECES = 8, 48
 _LEAST_GAP, _LEAST_LINES = 8.0, 32
 """Pixels between lines of a net, which are fewer where more would be a grey ground; but never fewer than so many."""
 
-COMPARISON_WIDTH = 1.2
-_NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH = 1.0, 1.8, 1.0
+_NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH, _COMPARISON_WIDTH = 1.0, 1.8, 1.0, 1.2
 _TOOTH_WIDTH, _TIPS_WIDTH, _SECTION_WIDTH = 0.7, 1.3, 2.4
 _GONE = 2
 """What a piece of a line is that cannot be drawn, beside dim, 1, and not, 0."""
@@ -81,7 +80,7 @@ def lines_of(picture: Picture, size: Size) -> list[Lines]:
         name, pieces = section_lines(scene, settings.section)
         found += [Lines(piece[None], theme.bad, _SECTION_WIDTH, name=name) for piece in pieces]
     if len(scene.lines):
-        found.append(Lines(scene.lines, theme.comparison, COMPARISON_WIDTH, name=scene.lines_name))
+        found.append(Lines(scene.lines, theme.comparison, _COMPARISON_WIDTH, name=scene.lines_name))
     return found
 
 
@@ -95,7 +94,7 @@ def _combs(picture: Picture) -> list[Lines]:
     ):
         if is_shown:
             combs, name = combs_along(picture.scene, is_u=is_u, scale=settings.comb_scale), f"Comb along {'vu'[is_u]}"
-            found += [Lines(combs.teeth, colour, _TOOTH_WIDTH, 1), Lines(combs.tips, colour, _TIPS_WIDTH, name=name)]
+            found += [Lines(combs.teeth, colour, _TOOTH_WIDTH), Lines(combs.tips, colour, _TIPS_WIDTH, name=name)]
     return found
 
 

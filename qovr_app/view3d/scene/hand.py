@@ -32,13 +32,11 @@ class MenuWish:
     Parameters
     ----------
     place : what it is for
-    at : the pixel of the viewport
     points : the control points there, the nearest first, or those of the line
     knot : the knot whose handle is there, or one of the curve that is; None elsewhere
     """
 
     place: MenuPlace
-    at: tuple[float, float]
     points: tuple[NetIndex, ...] = ()
     knot: KnotPlace | None = None
 

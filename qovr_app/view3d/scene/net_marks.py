@@ -90,8 +90,8 @@ def with_room(corners: Array, room: tuple[float, float], taken: Array, freely: i
     is_free = ~covers(corners, room, taken)
     if len(corners) > MANY:
         is_free &= _first_in_cells(corners, room)
-    numbers, away = np.flatnonzero(is_free), np.full(len(corners), np.inf)
-    (left, top), away = corners[numbers].T, away[numbers]
+    numbers = np.flatnonzero(is_free)
+    (left, top), away = corners[numbers].T, np.full(len(numbers), np.inf)
     waits, kept = np.ones(len(numbers), dtype=bool), list[int]()
     for k in range(len(numbers)):
         if waits[k]:

@@ -113,7 +113,7 @@ def check_zones(editor):
 
 
 SIZES = [(1280, 720), (911, 512), (1440, 900), (1920, 1080), (2560, 1440), (900, 1400)]
-"""The fifth of the issue's six, 3840 x 2160 at scale 2, is the fourth in logical pixels; 2560 x 1440 is the widest."""
+"""In logical pixels: 3840 x 2160 at scale 2 is the fourth; 2560 x 1440 is the widest."""
 
 
 @pytest.mark.parametrize("size", SIZES, ids=lambda size: "x".join(map(str, size)))

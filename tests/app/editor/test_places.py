@@ -22,10 +22,6 @@ from support.editor import wait_until
 FIG5 = preset("fig5").document
 
 
-def as_folder(path):
-    path.mkdir(parents=True)
-
-
 def as_file(path):
     path.parent.mkdir(parents=True, exist_ok=True)
     path.write_text("no folder")

@@ -67,10 +67,6 @@ def owner(make_view, document):
     return make_view(document, layer=LayerChoice.RAW, at_rest=False)
 
 
-def moved_by(owner, index):
-    return owner.document.control_points[index] - owner.before.control_points[index]
-
-
 @pytest.mark.parametrize("index", ALL_POINTS)
 def test_a_point_is_picked_and_follows_the_mouse_along_z(owner, index, pixel):
     viewport, start = owner.view.viewports[0], pixel(owner, index)
