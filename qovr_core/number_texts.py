@@ -11,8 +11,11 @@ MORE_DIGITS = "…"
 """Stands for digits that are left out."""
 
 _MOST_DIGITS = 16
-_ALL_DIGITS = 17
-"""So many tell any two doubles apart."""
+ALL_DIGITS = 17
+"""So many always tell two doubles apart."""
+
+USUAL_DIGITS = 6
+"""As many as a hand means, and as a narrow column has room for."""
 
 _LARGEST_WHOLE = 1e5
 """Short texts of what is smaller are whole from 100 on; what is larger has an exponent."""
@@ -46,16 +49,12 @@ _SUMMED_DIGITS = 15
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-_DIFFERENCE_DIGITS = 6
-"""What a mouse makes has fewer."""
-
-
 def number_text(value: float) -> str:
     """Return the shortest text that reads back as the very same number; it may be typed, so its minus is a hyphen."""
     return _short_exponent(repr(float(value)).removesuffix(".0"))
 
 
-def fitted_text(value: float, fits: Callable[[str], bool], most: int = _ALL_DIGITS) -> str:
+def fitted_text(value: float, fits: Callable[[str], bool], most: int = ALL_DIGITS) -> str:
     """Return a number's text with as many digits as fit, at most so many; an ellipsis stands for those left out.
 
     Magnitude and sign are never cut off: where the whole part does not fit, the text gets an exponent; where that has
@@ -112,7 +111,7 @@ def signed_text(value: float) -> str:
     >>> signed_text(0.30000000000000004 - 0.1), signed_text(-0.25)
     ('+0.2', '−0.25')
     """
-    text = rounded_text(round(value, 15), _DIFFERENCE_DIGITS)
+    text = rounded_text(round(value, 15), USUAL_DIGITS)
     return text if value < 0 else f"+{text}"
 
 

@@ -8,7 +8,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QSlider, QWidget
 
 from qovr_app.state.display import SectionChoice
-from qovr_app.state.sections import AXES
+from qovr_app.state.names import AXES
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.flow import Flow, kept_together
 from qovr_app.widgets.number_field import NumberField

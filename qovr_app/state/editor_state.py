@@ -171,8 +171,11 @@ class EditorState:
 
     def document_before(self, gesture: int) -> Document:
         """Return the document from which a gesture's moves are counted: where it began, or as it stands."""
-        is_in_hand = self.gesture is not None and self.gesture.number == gesture
-        return self.gesture.history.document if self.gesture and is_in_hand else self.document
+        return self.gesture.history.document if self.gesture and self.gesture.number == gesture else self.document
+
+    def draft_before(self, gesture: int) -> Document:
+        """Return the same of the draft."""
+        return self.gesture.draft if self.gesture and self.gesture.number == gesture else self.draft
 
     @property
     def is_changed(self) -> bool:

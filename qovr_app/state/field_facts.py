@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from qovr_app.state.editor_state import EditorState
-from qovr_core import Knots
+from qovr_app.state.knot_in_hand import default_knot
 from qovr_core.edits import Place, value_at
 from qovr_core.geometry.knots import KnotPlace
 
@@ -21,8 +21,7 @@ def value_to_share(state: EditorState, place: Place) -> float:
 def default_value(state: EditorState, place: Place) -> float:
     """Return what a number is reset to: a knot to that of new curves, a coordinate to where it was first."""
     if isinstance(place, KnotPlace):
-        value: float = getattr(Knots(), place.name)
-        return value
+        return default_knot(place.name)
     first = state.history.first
     same_net = first.control_points.shape == state.draft.control_points.shape
     return value_at(first if same_net else state.draft, place)

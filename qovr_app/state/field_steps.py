@@ -14,9 +14,7 @@ from qovr_core.symmetry import mirrored_values
 
 
 def values_shifted(state: EditorState, intent: field_intents.ValuesShifted) -> EditorState:
-    gesture = state.gesture
-    is_in_hand = gesture is not None and gesture.number == intent.gesture
-    begun = gesture.draft if gesture is not None and is_in_hand else state.draft
+    begun = state.draft_before(intent.gesture)
     shifted = {place: summed(value_at(begun, place), intent.amount) for place in intent.places}
     wanted: dict[Place, float] = dict(shifted)
     for place, value in shifted.items():

@@ -62,9 +62,8 @@ class KnotInHand:
 
     @property
     def default(self) -> float:
-        """What it is reset to: what it is on a new curve."""
-        value: float = getattr(Knots(), self.place.name)
-        return value
+        """What it is reset to."""
+        return default_knot(self.place.name)
 
     def reset(self, *, in_view: bool = False) -> KnotsSet:
         """Return what resets it, and s with u where they are one."""
@@ -89,3 +88,9 @@ class KnotInHand:
         elif pixel > 0 and math.isfinite(pixel):
             value = round(value, -math.floor(math.log10(pixel)))
         return min(max(value, LEAST), 1 - LEAST)
+
+
+def default_knot(name: str) -> float:
+    """Return what a knot is on a new curve."""
+    value: float = getattr(Knots(), name)
+    return value

@@ -79,5 +79,4 @@ def _begun(state: EditorState, intent: KnotsSet) -> Document:
     """Return what the gesture began with: of the document, or of the draft where the edit waits in it."""
     if intent.in_view or state.is_live:
         return state.document_before(intent.gesture)
-    is_in_hand = state.gesture is not None and state.gesture.number == intent.gesture
-    return state.gesture.draft if state.gesture and is_in_hand else state.draft
+    return state.draft_before(intent.gesture)

@@ -5,9 +5,7 @@ from __future__ import annotations
 from qovr_app.state.names import AXES, points_text
 from qovr_core import Document
 from qovr_core.document import NetIndex
-from qovr_core.number_texts import rounded_text
-
-_DIGITS = 6
+from qovr_core.number_texts import USUAL_DIGITS, rounded_text
 
 
 def moved_text(indices: tuple[NetIndex, ...], before: Document, after: Document) -> str:
@@ -20,8 +18,8 @@ def moved_text(indices: tuple[NetIndex, ...], before: Document, after: Document)
 
 
 def _axis_text(letter: str, before: float, after: float) -> str:
-    place = f"{letter} {rounded_text(after, _DIGITS)}"
-    difference = rounded_text(after - before, _DIGITS)
+    place = f"{letter} {rounded_text(after, USUAL_DIGITS)}"
+    difference = rounded_text(after - before, USUAL_DIGITS)
     if difference == "0":
         return place
     return f"{place} ({'+' * (after > before)}{difference})"

@@ -6,8 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from decimal import Decimal
 
-_FINE = 0.1
-"""Part of its way that a number goes while Shift is held."""
+from qovr_app.state.gestures import FINE
 
 _HALVINGS = 24
 """Enough to find the last pixel, and a part of it, on which a number may still be."""
@@ -59,7 +58,7 @@ class Scrub:
     def _rounded(self, pixels: float, snaps: bool) -> float:
         if not pixels and not snaps:
             return self.start
-        pixel = self.pixel * _FINE if self.is_fine else self.pixel
+        pixel = self.pixel * FINE if self.is_fine else self.pixel
         unit = self.step if snaps else pixel
         count = round((self.start + pixels * pixel) / unit)
         return float(count * Decimal(f"{unit:.12g}")) + 0.0  # never minus zero

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from qovr_app.state.display import DisplaySettings, SectionChoice
+from qovr_app.state.names import AXES
 from qovr_core import Document
 from qovr_core.geometry.section import CuttingPlane, plane_across, upright_plane
 
-AXES = "xyz"
 PANEL = "section"
 """The panel while which is shown the view shows the section."""
 
@@ -30,8 +30,8 @@ def plane_of_choice(choice: SectionChoice, document: Document) -> CuttingPlane |
     return upright_plane(start, end)
 
 
-def section_name(choice: SectionChoice, offset: float | None = None) -> str:
+def section_name(choice: SectionChoice, offset: float) -> str:
     """Return what a legend calls the section."""
     if choice.through is not None:
         return "Section P_{},{} to P_{},{}".format(*choice.through[0], *choice.through[1])
-    return f"Section {AXES[choice.axis]}" + ("" if offset is None else f" = {offset:.4g}")
+    return f"Section {AXES[choice.axis]} = {offset:.4g}"

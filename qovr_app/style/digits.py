@@ -4,11 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QApplication
 
-USUAL_DIGITS = 6
-"""As many as a hand means, and as a narrow column has room for."""
-
-ALL_DIGITS = 17
-"""So many always tell two doubles apart."""
+from qovr_core.number_texts import USUAL_DIGITS
 
 _in_force = [USUAL_DIGITS]
 

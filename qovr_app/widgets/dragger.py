@@ -12,9 +12,6 @@ from qovr_app.widgets.typed_number import TypedNumber
 DRAG_START = 3.0
 """Pixels the mouse moves before a press becomes a drag: a click selects and must not edit."""
 
-FINE = 0.1
-"""Part of the mouse's way that what is dragged goes while Shift is held."""
-
 
 class Dragger(QObject):
     """Follows the mouse with what is held in a widget; what that is, and where it belongs, its kinds know.

@@ -15,17 +15,15 @@ from qovr_core.arrays import Array, read_only
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.folding import folding_parts
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, Knots
-from qovr_core.geometry.weights import KERNEL_KNOTS, transformations
+from qovr_core.geometry.weights import transformations
 from qovr_core.laboratory.labels import label_places
+from qovr_core.laboratory.one_curve import PARABOLA_LETTERS
 from qovr_core.number_texts import number_text, signed_text, true_minus
 
-SAMPLES = read_only(np.linspace(0.0, 1.0, 61))
+_SAMPLES = read_only(np.linspace(0.0, 1.0, 61))
 """So many that a line through them is seen as the parabola that s is."""
 
-PARABOLAS = tuple(KNOT_NAMES[k] for k in KERNEL_KNOTS)
-"""The letters of the transformations, each with a knot of its own."""
-
-LEAST_RANGE = (-0.5, 1.5)
+_LEAST_RANGE = (-0.5, 1.5)
 """What r, s and t reach where every knot is 0.5."""
 
 _HEADROOM = 0.1
@@ -63,14 +61,14 @@ class Frame:
 
 
 def values_of(knots: Knots) -> Array:
-    """Return r, s and t at ``SAMPLES``, (n, 3)."""
-    return read_only(bernstein.basis(2, SAMPLES) @ transformations(tuple(knots)).T)
+    """Return r, s and t at ``_SAMPLES``, (n, 3)."""
+    return read_only(bernstein.basis(2, _SAMPLES) @ transformations(tuple(knots)).T)
 
 
 def limits_of(knots: Knots) -> tuple[float, float]:
     """Return between which values a plot of a curve's transformations reaches: all of s is in it."""
     s = values_of(knots)[:, 1]
-    return min(LEAST_RANGE[0], float(s.min())) - _HEADROOM, max(LEAST_RANGE[1], float(s.max())) + _HEADROOM
+    return min(_LEAST_RANGE[0], float(s.min())) - _HEADROOM, max(_LEAST_RANGE[1], float(s.max())) + _HEADROOM
 
 
 def frame_in(rect: QRectF, limits: tuple[float, float]) -> Frame:
@@ -115,8 +113,8 @@ class KnotPicture:
         values, frame = values_of(self.knots), self.frame
         painter.save()
         painter.setClipRect(frame.box.adjusted(-1, 0, 1, 0))
-        for k, letter in enumerate(PARABOLAS):
-            points = [frame.at(u, value) for u, value in zip(SAMPLES.tolist(), values[:, k].tolist(), strict=True)]
+        for k, letter in enumerate(PARABOLA_LETTERS):
+            points = [frame.at(u, value) for u, value in zip(_SAMPLES.tolist(), values[:, k].tolist(), strict=True)]
             painter.setPen(QPen(QColor(*self.colour(letter)), _LINE))
             painter.drawPolyline(QPolygonF(points))
         painter.restore()
@@ -179,10 +177,10 @@ class KnotPicture:
         frame, metrics = self.frame, QFontMetricsF(painter.font())
         room = metrics.height() / 2 * frame.pixel("s")  # so that no name is cut
         inside = (frame.low + room < values) & (values < frame.high - room)
-        inside[:, 1:] &= np.abs(SAMPLES - self.knots.u)[:, None] > _HANDLE_ROOM
+        inside[:, 1:] &= np.abs(_SAMPLES - self.knots.u)[:, None] > _HANDLE_ROOM
         for k, place in enumerate(label_places(np.where(inside, values, np.nan))):
-            letter = PARABOLAS[k]
-            at, width = frame.at(float(SAMPLES[place]), float(values[place, k])), metrics.horizontalAdvance(letter)
+            letter = PARABOLA_LETTERS[k]
+            at, width = frame.at(float(_SAMPLES[place]), float(values[place, k])), metrics.horizontalAdvance(letter)
             ground = QRectF(at.x() - width / 2 - 2, at.y() - metrics.height() / 2, width + 4, metrics.height())
             painter.fillRect(ground, QColor(*self.theme.background))
             painter.setPen(QColor(*self.colour(letter)))

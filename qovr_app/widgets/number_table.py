@@ -15,13 +15,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from qovr_app.style.digits import ALL_DIGITS, USUAL_DIGITS, digits_in_force
+from qovr_app.style.digits import digits_in_force
 from qovr_app.style.fonts import number_font
 from qovr_app.style.palette import see_through
 from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.quiet_table import RIGHT, QuietTable
 from qovr_core.arrays import Array
-from qovr_core.number_texts import fitted_text, number_text
+from qovr_core.number_texts import ALL_DIGITS, USUAL_DIGITS, fitted_text, number_text
 
 _FEWEST_DIGITS = 3
 _ROW_BEYOND_TEXT = 4

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from PySide6.QtCore import QLineF, QPointF
 
+from qovr_app.state.gestures import FINE
 from qovr_app.state.knot_in_hand import KnotInHand
-from qovr_app.widgets.dragger import FINE
 from qovr_app.widgets.knot_hand import KnotHand
 from qovr_app.widgets.knot_picture import Frame, handle_places
 from qovr_core.geometry.knots import Knots

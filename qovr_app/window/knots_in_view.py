@@ -6,13 +6,13 @@ from dataclasses import replace
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent, ValuesEdited
-from qovr_app.state.knot_in_hand import KnotInHand
+from qovr_app.state.knot_in_hand import KnotInHand, default_knot
 from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import FieldFocused
 from qovr_app.state.names import label
 from qovr_app.widgets.plain import menu_text
 from qovr_core.edits import Place, knots_of
-from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, Knots
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.number_texts import number_text
 
 Choices = list[tuple[str, Intent]]
@@ -45,9 +45,7 @@ def curve_choices(place: KnotPlace, state: EditorState) -> Choices:
     """Return what can be done with the knots of one curve."""
     own, curves = knots_of(state.document, place.direction)[place.curve], _curves(state, place.direction)
     name = place.direction.curve_name(place.curve)
-    new: dict[Place, float] = {
-        KnotPlace(place.direction, place.curve, knot): getattr(Knots(), knot) for knot in KNOT_NAMES
-    }
+    new: dict[Place, float] = {KnotPlace(place.direction, place.curve, knot): default_knot(knot) for knot in KNOT_NAMES}
     on_all: dict[Place, float] = {
         KnotPlace(place.direction, curve, knot): getattr(own, knot) for curve in curves for knot in KNOT_NAMES
     }

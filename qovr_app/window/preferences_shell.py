@@ -12,12 +12,13 @@ from qovr_app.dialogs.preferences_dialog import PreferenceRow, PreferencesDialog
 from qovr_app.state.display import ColourMap, DisplaySettings, MouseScheme, ThemeChoice
 from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import PreferencesAsked
-from qovr_app.style.digits import ALL_DIGITS, USUAL_DIGITS, set_digits
+from qovr_app.style.digits import set_digits
 from qovr_app.style.palette import choose_theme
 from qovr_app.window.preferences import Preferences
 from qovr_app.window.shell import Answers
 from qovr_app.window.windows import Windows
 from qovr_core.files.conventions import Unit, Up
+from qovr_core.number_texts import ALL_DIGITS, USUAL_DIGITS
 
 
 @dataclass(frozen=True)

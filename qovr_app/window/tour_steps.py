@@ -80,7 +80,7 @@ TOUR = (
         _pull,
     ),
     TourStep(
-        "Knots: give the row-wise curves another u, typed or with the slider below: say 0.7. "
+        f"Knots: give the row-wise curves another u, typed or with the slider below: say {_KNOT}. "
         "A knot says where a point lies on its curve.",
         "zone.row_knots",
         Zone.ROW_KNOTS,

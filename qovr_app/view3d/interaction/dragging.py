@@ -9,11 +9,12 @@ import numpy as np
 from PySide6.QtCore import QPointF, Signal
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.state.gestures import FINE
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.grip import ALONG_WAY, Freedom, Grip, across, along, rounded
 from qovr_app.view3d.scene.hand import DragMarks
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.widgets.dragger import FINE, Dragger
+from qovr_app.widgets.dragger import Dragger
 from qovr_app.widgets.typed_number import TypedNumber
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import NetIndex

@@ -6,13 +6,13 @@ import numpy as np
 from PySide6.QtCore import QPointF
 from PySide6.QtWidgets import QWidget
 
+from qovr_app.state.gestures import FINE
 from qovr_app.view3d.interaction.picking import handle_under
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.grip import ALONG_WAY, Grip
 from qovr_app.view3d.scene.hand import KnotMarks
 from qovr_app.view3d.scene.knot_handles import KnotHandle
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.widgets.dragger import FINE
 from qovr_app.widgets.knot_hand import KnotHand
 
 

@@ -17,7 +17,7 @@ from qovr_app.view3d.scene.grip import Freedom, across, along
 from qovr_app.view3d.scene.hand import Band, DragMarks
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
-from qovr_core.number_texts import rounded_text, signed_text, true_minus
+from qovr_core.number_texts import USUAL_DIGITS, rounded_text, signed_text, true_minus
 
 _ARROW_WIDTH, _USED_WIDTH = 2.2, 3.6
 _HEAD = 11.0
@@ -27,9 +27,6 @@ _GUIDE_REACH = 1.6
 """Unit lengths of a guide line both ways: beyond the axes box wherever it begins."""
 
 _GHOST_RADIUS = 5.0
-_DIGITS = 6
-"""Of the numbers beside the point; what a mouse makes has fewer."""
-
 _HELP = "type a value · Ctrl step · Shift fine · X Y Z lock · Esc back"
 
 
@@ -123,7 +120,7 @@ def drag_text(picture: Picture, drag: DragMarks) -> tuple[Runs, str]:
         text = f"along the normal {signed_text(float(np.linalg.norm(moved)))}" if not drag.typed else ""
     else:
         text = "  ".join(
-            f"{AXES[axis]} {rounded_text(now[axis], _DIGITS)} ({signed_text(moved[axis])})"
+            f"{AXES[axis]} {rounded_text(now[axis], USUAL_DIGITS)} ({signed_text(moved[axis])})"
             for axis in drag.freedom.axes
         )
     if drag.typed:

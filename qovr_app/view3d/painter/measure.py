@@ -14,10 +14,9 @@ from qovr_app.view3d.painter.text import NORMAL, draw_text, plain, text_size
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.measuring import Measure, measured
 from qovr_app.view3d.scene.picture import Picture
-from qovr_core.number_texts import rounded_text
+from qovr_core.number_texts import USUAL_DIGITS, rounded_text
 
 _RADIUS, _PAD, _LEADING, _BOTTOM = 5.0, 8.0, 18.0, 30.0
-_DIGITS = 6
 
 FIRST, SECOND = "Click a control point or the surface to measure from", "Click where to measure to"
 
@@ -50,11 +49,11 @@ def _lines(measure: Measure) -> list[str]:
     if not measure.ways:
         return [f"{measure.names[0]}: {SECOND}" if measure.names else FIRST]
     lines = [
-        f"{a} to {b}:  {rounded_text(length, _DIGITS)}   ("
-        + "  ".join(f"{axis} {rounded_text(value, _DIGITS)}" for axis, value in zip(AXES, way, strict=True))
+        f"{a} to {b}:  {rounded_text(length, USUAL_DIGITS)}   ("
+        + "  ".join(f"{axis} {rounded_text(value, USUAL_DIGITS)}" for axis, value in zip(AXES, way, strict=True))
         + ")"
         for a, b, length, way in zip(measure.names, measure.names[1:], measure.lengths, measure.ways, strict=False)
     ]
     if measure.angle is not None:
-        lines.append(f"angle at {measure.names[1]}:  {rounded_text(measure.angle, _DIGITS)}°")
+        lines.append(f"angle at {measure.names[1]}:  {rounded_text(measure.angle, USUAL_DIGITS)}°")
     return lines

@@ -7,9 +7,9 @@ from itertools import product
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.looking_intents import PointsPutAway
 from qovr_app.window.commands.command import Command, asking
+from qovr_app.window.commands.points import NEEDS_ONE, has_selection
 
 _MENU = "&Points/&Hide"
-_NEEDS_SOME = "Select control points first"
 
 
 def hiding_commands() -> tuple[Command, ...]:
@@ -22,8 +22,8 @@ def hiding_commands() -> tuple[Command, ...]:
             _MENU,
             "Ctrl+H",
             "Hide the selected points with their lines of the net; the surface stays",
-            is_enabled=_has_selection,
-            needs=_NEEDS_SOME,
+            is_enabled=has_selection,
+            needs=NEEDS_ONE,
         ),
         Command(
             "isolate_points",
@@ -32,8 +32,8 @@ def hiding_commands() -> tuple[Command, ...]:
             _MENU,
             "Ctrl+Shift+H",
             "Hide all points but the selected ones, and the curves on which none of them lies",
-            is_enabled=_has_selection,
-            needs=_NEEDS_SOME,
+            is_enabled=has_selection,
+            needs=NEEDS_ONE,
         ),
         Command(
             "show_points",
@@ -46,10 +46,6 @@ def hiding_commands() -> tuple[Command, ...]:
             needs="No point is hidden",
         ),
     )
-
-
-def _has_selection(state: EditorState) -> bool:
-    return bool(state.selection.points)
 
 
 def _others(state: EditorState) -> set[tuple[int, int]]:

@@ -19,7 +19,7 @@ from qovr_core.symmetry import Source
 
 _SELECT, _POINTS, _SYMMETRY, _NUDGE = "&Edit/Se&lect", "&Points", "&Points/Make s&ymmetric", "&Points/&Nudge"
 
-_NEEDS_ONE = "Select a control point first"
+NEEDS_ONE = "Select a control point first"
 
 _EDITS: dict[str, tuple[NetEdit, str, str]] = {
     "flatten_height": (Flatten(Plane.HEIGHT), "&Flatten to one height", "Give the selected points their mean z"),
@@ -76,12 +76,12 @@ def point_commands() -> tuple[Command, ...]:
         _POINTS,
         "Ctrl+M",
         "Move the selected points by exact numbers, scale and rotate them",
-        is_enabled=_has_selection,
-        needs=_NEEDS_ONE,
+        is_enabled=has_selection,
+        needs=NEEDS_ONE,
     )
     edits = (
         Command(
-            name, text, _editing(edit), _POINTS, None, tip, is_enabled=_has_selection, needs=_NEEDS_ONE,
+            name, text, _editing(edit), _POINTS, None, tip, is_enabled=has_selection, needs=NEEDS_ONE,
             begins_part=name in _PARTS,
         )
         for name, (edit, text, tip) in _EDITS.items()
@@ -98,7 +98,7 @@ def repeat_command() -> Command:
         "&Edit",
         "F4",
         "Do the last edit of points again, with what is selected now",
-        is_enabled=lambda state: _has_selection(state) and _last_edit(state) is not None,
+        is_enabled=lambda state: has_selection(state) and _last_edit(state) is not None,
         noun=lambda state: getattr(_last_edit(state), "verb", ""),
         needs="Move, scale, rotate, flatten, align or smooth points first, and select some",
     )
@@ -109,7 +109,7 @@ def _more(name: str, text: str, tip: str, axis: int) -> Command:
         lines = {index[axis] for index in state.selection.points}
         return _picking(state, {index for index in _all(state) if index[axis] in lines})
 
-    return Command(name, text, picking, _SELECT, None, tip, is_enabled=_has_selection, needs=_NEEDS_ONE)
+    return Command(name, text, picking, _SELECT, None, tip, is_enabled=has_selection, needs=NEEDS_ONE)
 
 
 def _nudges() -> list[Command]:
@@ -126,7 +126,7 @@ def _nudges() -> list[Command]:
         Command(
             name, f"{'xyz'[axis]} {'+' if way > 0 else '−'} one step", nudging(axis, way), _NUDGE, key,
             "Move the selected points by one step; quickly one after the other is one undo step",
-            is_enabled=_has_selection, needs=_NEEDS_ONE,
+            is_enabled=has_selection, needs=NEEDS_ONE,
         )
         for name, (key, axis, way) in _NUDGES.items()
     ]  # fmt: skip
@@ -157,7 +157,7 @@ def _symmetries() -> list[Command]:
     return [*ways, planes]
 
 
-def _has_selection(state: EditorState) -> bool:
+def has_selection(state: EditorState) -> bool:
     return bool(state.selection.points)
 
 
