@@ -113,7 +113,7 @@ class View3D(QWidget):
         if scene is None:
             return None
         return Picture(
-            settings=shown.settings,
+            settings=shown.settings_of(viewport),
             camera=self.camera,
             scene=scene,
             hovered=self._pointer.net_index,

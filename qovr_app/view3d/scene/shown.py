@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 from qovr_app.state.display import DisplaySettings
@@ -69,6 +69,13 @@ class Shown:
         """How many viewports it takes: one a layer, and one for a surface beside them."""
         is_beside = self.comparison is not None and self.comparison.is_beside
         return len(self.settings.layer.layers) + is_beside
+
+    def settings_of(self, viewport: int) -> DisplaySettings:
+        """Return how a viewport shows its surface: of layers with one range of colours the last has the bar for all."""
+        layers = len(self.settings.layer.layers)
+        if self.settings.shares_range and viewport < layers - 1:
+            return replace(self.settings, colour_bar=False)
+        return self.settings
 
     def differs_visibly(self, before: Shown) -> bool:
         """Return whether something is seen that was not before, apart from the surface and its net."""

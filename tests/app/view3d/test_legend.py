@@ -38,12 +38,15 @@ def test_lines_beside_the_net_have_names(make_view, document, setting, tmp_path)
     assert name not in said(view, tmp_path)
 
 
-def test_both_layers_can_have_one_range_of_colours(make_view, document):
-    view = make_view(document, layer=LayerChoice.BOTH, at_rest=False).view
+def test_both_layers_can_have_one_range_of_colours_and_then_one_bar(make_view, document, tmp_path):
+    view = make_view(document, layer=LayerChoice.BOTH, at_rest=False, axes=False).view
+    title = "Z-AxisValue"
+    assert said(view, tmp_path).count(title) == 2
     own = [view.picture(k).colouring.limits for k in range(2)]
     assert own[0] != own[1]
     choose(view, shares_range=True)
     shared = [view.picture(k).colouring.limits for k in range(2)]
+    assert said(view, tmp_path).count(title) == 1
     assert shared[0] == shared[1] == (min(low for low, _ in own), max(high for _, high in own))
     choose(view, shares_range=False)
     assert [view.picture(k).colouring.limits for k in range(2)] == own
