@@ -18,7 +18,25 @@ def coloured(rich: str, colour: Rgb) -> str:
     return f'<span style="color:#{"".join(f"{part:02x}" for part in colour)}">{rich}</span>'
 
 
-_SYMBOL = re.compile(r"\b([rstuvCK])_(ip|\d+)\b|\bP (\d+),(\d+)")
+_LETTER_AND_INDEX = r"\b([rstuvCK])_(ip|\d+)\b(?!\.\w)"
+"""Not the beginning of a file's name."""
+
+_PLAIN_SYMBOL = re.compile(_LETTER_AND_INDEX)
+_LOW_SIGNS = str.maketrans("0123456789ip", "₀₁₂₃₄₅₆₇₈₉ᵢₚ")
+
+
+def symbols_in_plain(text: str) -> str:
+    """Return a sentence whose symbols have low indices where text has no format: in menus, in the message line.
+
+    Examples
+    --------
+    >>> symbols_in_plain("Set r_ip of C_0..C_12")
+    'Set rᵢₚ of C₀..C₁₂'
+    """
+    return _PLAIN_SYMBOL.sub(lambda found: found[1] + found[2].translate(_LOW_SIGNS), text)
+
+
+_SYMBOL = re.compile(rf"{_LETTER_AND_INDEX}|\bP (\d+),(\d+)")
 """A symbol as messages write it: r_ip, C_4, P 2,3."""
 
 

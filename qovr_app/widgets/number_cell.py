@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.style.digits import digits_in_force
 from qovr_app.style.palette import see_through, theme_in_force
+from qovr_app.style.symbols import symbols_in_plain
 from qovr_app.widgets.bubble import say_at
 from qovr_app.widgets.cell import Marks, paint_cell
 from qovr_app.widgets.growing_line import LEAST_PADDING, PADDING, GrowingLine
@@ -88,7 +89,7 @@ class NumberCell(GrowingLine):
         elif self.has_own_text and not self._error:
             parts.insert(0, f"Not taken yet: Enter takes it, Esc brings {self._shown} back.")
         said = [part for part in parts if part]
-        self.setToolTip(plain_tip("\n".join([self.text(), *said])))
+        self.setToolTip(plain_tip(symbols_in_plain("\n".join([self.text(), *said]))))
         self.setAccessibleDescription("\n".join(said))
         self.fit()
         self.update()

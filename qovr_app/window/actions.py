@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.store import Store
+from qovr_app.style.symbols import symbols_in_plain
 from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.commands import Command
 
@@ -73,6 +74,7 @@ def is_single_key(keys: QKeySequence) -> bool:
 
 
 def _name(action: QAction, verb: str, noun: str) -> None:
+    noun = symbols_in_plain(noun)
     text = f"{verb} {menu_text(noun)}".strip()
     if action.text() != text:
         action.setText(text)

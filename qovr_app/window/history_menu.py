@@ -9,6 +9,8 @@ from PySide6.QtWidgets import QMenu, QWidget
 from qovr_app.state.history import History
 from qovr_app.state.intents import WentTo
 from qovr_app.store import Dispatch
+from qovr_app.style.symbols import symbols_in_plain
+from qovr_app.widgets.plain import menu_text
 
 _MOST = 25
 """As many steps each way as a menu can show at once."""
@@ -30,7 +32,7 @@ class HistoryMenu(QMenu):
         first, last = max(0, history.index - _MOST), min(len(history.steps), history.index + _MOST)
         for index in range(first, last + 1):
             text = history.steps[index - 1].text if index else "As opened"
-            action = self.addAction(text.replace("&", "&&"))
+            action = self.addAction(menu_text(symbols_in_plain(text)))
             action.setCheckable(True)
             action.setChecked(index == history.index)
             action.triggered.connect(lambda _checked, index=index: self._dispatch(WentTo(index)))

@@ -10,6 +10,7 @@ from qovr_app.state.knot_in_hand import KnotInHand, default_knot
 from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import FieldFocused
 from qovr_app.state.names import label
+from qovr_app.style.symbols import symbols_in_plain
 from qovr_app.widgets.plain import menu_text
 from qovr_core.edits import Place, knots_of
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
@@ -36,8 +37,8 @@ def knot_choices(place: KnotPlace, state: EditorState) -> Choices:
     one = knot.set_to(knot.value, takes_s=True, in_view=True)
     on_all = f"Set {place.letter}_ip to {number_text(knot.value)} on all curves {_family(state, place.direction)}"
     return [
-        (menu_text(f"Reset {label(place)} to {number_text(knot.default)}"), knot.reset(in_view=True)),
-        (menu_text(on_all), replace(one, curve=None)),
+        (_text(f"Reset {label(place)} to {number_text(knot.default)}"), knot.reset(in_view=True)),
+        (_text(on_all), replace(one, curve=None)),
     ]
 
 
@@ -51,10 +52,14 @@ def curve_choices(place: KnotPlace, state: EditorState) -> Choices:
     }
     family = _family(state, place.direction)
     return [
-        (menu_text(f"Show the knots of {name}"), FieldFocused(place)),
-        (menu_text(f"Reset the knots of {name}"), ValuesEdited(new)),
-        (menu_text(f"Set the knots of {name} on all curves {family}"), ValuesEdited(on_all)),
+        (_text(f"Show the knots of {name}"), FieldFocused(place)),
+        (_text(f"Reset the knots of {name}"), ValuesEdited(new)),
+        (_text(f"Set the knots of {name} on all curves {family}"), ValuesEdited(on_all)),
     ]
+
+
+def _text(text: str) -> str:
+    return menu_text(symbols_in_plain(text))
 
 
 def _curves(state: EditorState, direction: Direction) -> range:

@@ -10,6 +10,7 @@ from qovr_app.state.editor_state import EditorState, Message
 from qovr_app.state.looking_intents import MessageOutdated
 from qovr_app.store import Dispatch
 from qovr_app.style.palette import theme_in_force
+from qovr_app.style.symbols import symbols_in_plain
 from qovr_app.widgets.plain import plain_tip
 
 _REPORT_MILLISECONDS = 12_000
@@ -60,7 +61,7 @@ class MessageLine(QLabel):
             self._end.start()
         self._colour()
         text = " ".join(message.text.split())
-        self.setText(text)
-        self.setToolTip(plain_tip(text))
+        self.setText(symbols_in_plain(text))
+        self.setToolTip(plain_tip(self.text()))
         if QAccessible.isActive():
             QAccessible.updateAccessibility(QAccessibleAnnouncementEvent(self, text))

@@ -44,7 +44,7 @@ def test_live_a_typed_knot_is_set_on_all_linked_curves(editor, typed):
     assert editor.document.column_knots == FIG5.column_knots
     assert editor.text("row_knots.C_4.s") == "0.35"
     assert editor.disagreements() == []
-    assert editor.action("undo").text() == "&Undo Set s_ip of C_0..C_4"
+    assert editor.action("undo").text() == "&Undo Set sᵢₚ of C₀..C₄"
 
 
 def test_links_reach_as_far_as_they_say(editor):
@@ -55,7 +55,7 @@ def test_links_reach_as_far_as_they_say(editor):
     editor.type_into("row_knots.C_0.u", "0.6")
     assert [knots.u for knots in editor.document.row_knots] == [0.6, 0.5, 0.5, 0.5, 0.5]
     assert [knots.u for knots in editor.document.column_knots] == [0.6, 0.5, 0.5, 0.3, 0.5]
-    assert editor.action("undo").text() == "&Undo Set u_ip of C_0 and v_ip of K_0"
+    assert editor.action("undo").text() == "&Undo Set uᵢₚ of C₀ and vᵢₚ of K₀"
 
 
 @pytest.mark.parametrize("typed", ["1", "0", "-0.2", "1,2,3", "abc", "", "nan", "1e400", "0.5 0.6"])
@@ -65,7 +65,7 @@ def test_a_bad_knot_stays_is_marked_and_writes_nothing(editor, typed):
     assert editor.document == FIG5
     assert field.text().strip() == typed
     assert field.error
-    assert "t_ip of C_2" in editor.message()
+    assert "tᵢₚ of C₂" in editor.message()
     assert "strictly between 0 and 1" in editor.message()
     editor.key(Qt.Key.Key_Escape, widget=field)
     assert (field.text(), field.error) == ("0.5", "")
@@ -79,7 +79,7 @@ def test_set_writes_all_or_nothing(editor):
     editor.click("row_knots.set")
     assert editor.document == FIG5
     assert editor.field("row_knots.C_1.r").hasFocus()
-    assert editor.message().startswith("Nothing was set: r_ip of C_1 is 7.0")
+    assert editor.message().startswith("Nothing was set: rᵢₚ of C₁ is 7.0")
     editor.type_into("row_knots.C_1.r", "0.7")
     editor.click("row_knots.set")
     assert [knots.r for knots in editor.document.row_knots] == [0.2, 0.7, 0.5, 0.5, 0.5]

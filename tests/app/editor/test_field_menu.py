@@ -36,7 +36,7 @@ def test_a_refusal_stands_at_its_field_until_it_is_mended(editor):
     assert not said.intersects(typed)
     assert min(abs(said.top() - typed.bottom()), abs(typed.top() - said.bottom())) <= 2
     assert not said.intersects(place_in(QApplication.focusWidget(), zone))
-    assert editor.message() == "t_ip of C_3 is 1.5; expected a number strictly between 0 and 1."
+    assert editor.message() == "tᵢₚ of C₃ is 1.5; expected a number strictly between 0 and 1."
     assert "strictly between 0 and 1" in field.accessibleDescription()
     editor.type_into(KNOT, "0.4")
     assert bubbles(editor, "zone.row_knots") == []
@@ -76,7 +76,7 @@ def test_the_slider_has_the_menu_of_its_knot(editor):
     menu = QApplication.activePopupWidget()
     assert menu.objectName() == "context.field"
     choose(editor, next(action for action in menu.actions() if action.objectName() == "field_copy"))
-    assert editor.message() == "Copied t_ip of C_3: 0.5"
+    assert editor.message() == "Copied tᵢₚ of C₃: 0.5"
 
 
 def open_menu(editor, name, reason=QContextMenuEvent.Reason.Mouse):

@@ -237,19 +237,19 @@ def test_the_menus_of_a_handle_and_of_a_line_of_the_net(hands):
     hands.editor.type_into("row_knots.C_2.r", "0.3")
     menu, texts = menu_at(hands, hands.handle("r", 0.3))
     assert menu.objectName() == "context.knot"
-    texts["Set r_ip to 0.3 on all curves C_0 to C_4"].trigger()
+    texts["Set rᵢₚ to 0.3 on all curves C₀ to C₄"].trigger()
     hands.editor.settle()
     assert [knots[0] for knots in hands.knots()] == [0.3] * 5
     menu.close()
     hands.editor.settle()
     menu, texts = menu_at(hands, hands.handle("r", 0.3))
-    texts["Reset r_ip of C_2 to 0.5"].trigger()
+    texts["Reset rᵢₚ of C₂ to 0.5"].trigger()
     menu.close()
     hands.editor.settle()
     assert [knots[0] for knots in hands.knots()] == [0.3, 0.3, 0.5, 0.3, 0.3]
     menu, texts = menu_at(hands, 0.5 * (hands.point(0, 3) + hands.point(0, 4)))
-    texts["Show the knots of C_0"].trigger()
-    texts["Set the knots of C_0 on all curves C_0 to C_4"].trigger()
+    texts["Show the knots of C₀"].trigger()
+    texts["Set the knots of C₀ on all curves C₀ to C₄"].trigger()
     menu.close()
     hands.editor.settle()
     assert (hands.state.focus.curve, hands.state.focus.direction) == (0, Direction.ROWS)
