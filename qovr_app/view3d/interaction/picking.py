@@ -9,7 +9,7 @@ from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.gizmo import gizmo_at
 from qovr_app.view3d.scene.grip import Freedom
 from qovr_app.view3d.scene.hand import MenuPlace, MenuWish
-from qovr_app.view3d.scene.knot_handles import KnotHandle
+from qovr_app.view3d.scene.knot_handles import KnotHandle, seen_handle
 from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.net_marks import Numbers
 from qovr_app.view3d.scene.occlusion import hidden_by
@@ -89,7 +89,8 @@ def handle_under(picture: Picture, size: Size, x: float, y: float) -> KnotHandle
     handles = picture.knot_handles
     if not handles:
         return None
-    seen = picture.camera.project(picture.scene.frame.to_unit(np.stack([handle.point for handle in handles])), size)
+    frame, camera = picture.scene.frame, picture.camera
+    seen = np.stack([seen_handle(handle, frame, camera, size)[0] for handle in handles])
     away = np.nan_to_num(np.hypot(seen[:, 0] - x, seen[:, 1] - y), nan=np.inf)  # no number is behind the eye
     nearest = int(np.argmin(away))
     return handles[nearest] if away[nearest] <= _HANDLE_REACH else None

@@ -12,7 +12,7 @@ from qovr_app.view3d.painter.beside import Words, draw_beside
 from qovr_app.view3d.painter.text import NORMAL, Runs, draw_text
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.hand import KnotMarks
-from qovr_app.view3d.scene.knot_handles import KnotHandle
+from qovr_app.view3d.scene.knot_handles import KnotHandle, seen_handle
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 from qovr_core.number_texts import number_text, signed_text, true_minus
@@ -75,18 +75,12 @@ def _draw_handle(painter: QPainter, picture: Picture, handle: KnotHandle, marks:
     radius = _USED_RADIUS if is_used else _SMALL_RADIUS if handle.knot.place.name == "s" else _RADIUS
     if is_used and marks is not None and marks.begun is not None:
         with dimmed(painter, _GHOST):
-            ghost = _seen(picture, marks.begun.point, size)
+            ghost, _ = seen_handle(marks.begun, picture.scene.frame, picture.camera, size)
             _draw_diamond(painter, ghost, _RADIUS, (theme.rim, colour, theme.background))
-    at = _seen(picture, handle.point, size)
+    at, aside = seen_handle(handle, picture.scene.frame, picture.camera, size)
     _draw_diamond(painter, at, radius, (theme.rim, colour, colour if is_used else theme.background))
     if not np.isfinite(at).all() or (marks is not None and marks.begun is not None):
         return
-    ends = _seen(picture, handle.ends, size)
-    way = ends[1] - ends[0]
-    length = float(np.hypot(*way))
-    aside = np.array([way[1], -way[0]]) / length if np.isfinite(length) and length > 1 else np.array([0.0, 1.0])
-    if aside[1] < 0:  # below its chord: the points' names stand above them
-        aside = -aside
     text: Runs = ((handle.knot.place.letter, False),)
     if is_used and marks is not None:
         text = knot_text(handle, marks)

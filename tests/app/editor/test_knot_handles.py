@@ -57,6 +57,12 @@ class Hands:
         start, end = (self.point(row, j) for j in CHORDS[name])
         return start + value * (end - start)
 
+    def aside(self, start, end):
+        """Return the way of one pixel on which a handle leaves a chord on which its control point lies."""
+        way = (end - start) / np.hypot(*(end - start))
+        across = np.array([way[1], -way[0]])
+        return across if across[1] >= 0 else -across
+
     def send(self, kind, at, button=LEFT, buttons=LEFT, modifiers=NONE):
         place = QPointF(*at)
         event = QMouseEvent(kind, place, self.viewport.mapToGlobal(place), button, buttons, modifiers)
@@ -205,7 +211,7 @@ def test_without_links_and_with_a_column(hands):
     assert hands.state.focus == hands.state.knot
     assert (hands.state.knot.direction, hands.state.knot.curve) == (Direction.COLUMNS, 3)
     start, end = hands.point(2, 3), hands.point(4, 3)
-    at = start + 0.5 * (end - start)
+    at = start + 0.5 * (end - start) + 12 * hands.aside(start, end)  # the chord's middle is the control point itself
     hands.press(at)
     hands.move(at + 0.1 * (end - start))
     hands.release(at + 0.1 * (end - start))
@@ -280,11 +286,16 @@ def test_handles_are_hidden_by_a_command_by_letting_go_and_in_figures(hands, hom
     assert seen() == []
 
 
-def test_a_handle_that_lies_over_a_point_gives_way_to_it_when_it_is_clicked_again(hands):
+def test_a_handle_stands_aside_from_its_point_and_gives_way_to_it_when_it_is_clicked_again(hands):
     hands.view.set_camera("top", animated=False)
     hands.editor.settle()
-    at = hands.handle("r")  # from above, the middle of the chord lies on P 2,1
-    assert at == pytest.approx(hands.point(2, 1), abs=2)
+    on = hands.handle("r")  # from above, the middle of the chord lies on P 2,1
+    assert on == pytest.approx(hands.point(2, 1), abs=2)
+    hands.click(on)
+    assert hands.state.selection.points == {(2, 1)}
+    hands.click(by(5, 5))
+    hands.focus("row_knots.C_2.u")
+    at = on + 5 * hands.aside(hands.point(2, 0), hands.point(2, 2))  # in reach of either
     hands.click(at)
     assert not hands.state.selection.points
     assert hands.state.knot.name == "r"

@@ -1,18 +1,20 @@
 """The knots' handles as they are drawn and found: by OpenGL and by the painter, on nets of several windows too."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from qovr_app.state.display import LayerChoice, Projection, Scaling
 from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.style.theme import KNOT_SERIES
-from qovr_app.view3d.interaction.picking import handle_under
+from qovr_app.view3d.interaction.picking import handle_under, points_under
 from qovr_app.view3d.scene.frame import frame_around
 from qovr_app.view3d.scene.knot_handles import handles_of
 from qovr_core.geometry.knots import Direction, KnotPlace, Knots
 from support.view import change, choose
 
-KNOTS = Knots(r=0.3, s=0.6, u=0.45, t=0.8)
+KNOTS = Knots(r=0.3, s=0.65, u=0.38, t=0.8)
 CHORDS = {"r": (0, 2), "s": (1, 3), "u": (1, 3), "t": (2, 4)}
 
 
@@ -68,6 +70,23 @@ def test_in_perspective_and_with_equal_scales_they_are_found_too(make_view, docu
         place = picture.scene.frame.to_unit(place_of(document.control_points[:, 3], name))
         x, y, _ = picture.camera.project(place[None], size)[0].tolist()
         assert handle_under(picture, size, x, y).knot.place.name == name
+
+
+def test_a_handle_on_its_control_point_stands_aside_so_that_either_can_be_taken(make_view, document, expected_pixel):
+    net = document.control_points.copy()
+    net[0] = np.linspace([0, 0, 0], [0, 4, 0.4], 5)  # evenly spaced, where knots of one half are points
+    owner = make_view(replace(document, control_points=net), layer=LayerChoice.RAW, labels=False)
+    view, size = owner.view, owner.view.viewports[0].logical_size
+    change(view, curve=in_hand(knots=Knots()))
+    picture = view.picture()
+    for column, name in ((1, "r"), (2, "u"), (3, "t")):
+        at = np.array(expected_pixel(view, net[0, column]))
+        assert handle_under(picture, size, *at) is None
+        assert points_under(picture, size, *at)[0] == (0, column)
+        way = np.array(expected_pixel(view, net[0, 4])) - expected_pixel(view, net[0, 0])
+        across = np.array([way[1], -way[0]]) / np.hypot(*way)
+        aside = at + 12 * across * np.sign(across[1])
+        assert handle_under(picture, size, *aside).knot.place.name == name
 
 
 def test_a_window_of_a_larger_net_has_the_handles_of_its_own_points():
