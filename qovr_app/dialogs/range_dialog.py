@@ -7,10 +7,11 @@ import math
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
 from qovr_app.dialogs.buttons import without_icons
-from qovr_app.state.typed_numbers import typed_number
+from qovr_app.state.typed_numbers import typed_value
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.plain import plain_label
-from qovr_core import QovrError
+from qovr_core import DocumentError, QovrError
+from qovr_core.checks import described
 from qovr_core.fields import Range
 from qovr_core.number_texts import number_text
 
@@ -28,6 +29,7 @@ class RangeDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle("Fixed Colour Range")
         self.setObjectName("colour_range")
+        self._first = limits
         self._low, self._high = (self._end(name, value) for name, value in zip(("low", "high"), limits, strict=True))
         self._note = named(plain_label("", self), "colour_range.note")
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Ok | QDialogButtonBox.StandardButton.Cancel)
@@ -56,9 +58,10 @@ class RangeDialog(QDialog):
         ------
         QovrError : one is no number, or the upper one does not lie above the lower one
         """
-        low, high = _end_typed("lower", self._low.text()), _end_typed("upper", self._high.text())
+        ends = ("The lower end", self._low, self._first[0]), ("The upper end", self._high, self._first[1])
+        low, high = (typed_value(field.text(), name, _checked_end, first) for name, field, first in ends)
         if not low < high:
-            raise QovrError("The upper end has to lie above the lower one.")
+            raise QovrError("The upper end has to lie above the lower one")
         return low, high
 
     def _check(self) -> None:
@@ -67,13 +70,12 @@ class RangeDialog(QDialog):
         try:
             _ = self.limits
         except QovrError as error:
-            reason = str(error)
+            reason = f"{error}."
         self._note.setText(reason)
         self._ok.setEnabled(not reason)
 
 
-def _end_typed(name: str, text: str) -> float:
-    end = typed_number(text)
-    if not isinstance(end, float) or not math.isfinite(end):
-        raise QovrError(f"The {name} end is no number; expected one as 0.35 or -2e-4.")
-    return end
+def _checked_end(value: object, name: str) -> float:
+    if not (isinstance(value, float) and math.isfinite(value)):
+        raise DocumentError(name, described(value), "a number as 0.35 or -2e-4")
+    return value

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from typing import Any
 
@@ -10,11 +9,12 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLineEdit,
 
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.state.display import Underlay
-from qovr_app.state.typed_numbers import typed_number
+from qovr_app.state.tools import checked_size
+from qovr_app.state.typed_numbers import typed_value
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.plain import plain_label
-from qovr_core import QovrError
-from qovr_core.checks import LARGEST_MAGNITUDE
+from qovr_core import DocumentError, QovrError
+from qovr_core.checks import checked_number, described
 from qovr_core.number_texts import number_text
 
 _FIELDS = {
@@ -64,13 +64,12 @@ class UnderlayDialog(QDialog):
         ------
         QovrError : something is no number, or no size or opacity
         """
-        values = {name: _typed(name, field.text()) for name, field in self._fields.items()}
-        for name in ("width", "height"):
-            if values[name] <= 0:
-                raise QovrError(f"The {name} is {values[name]:g}; expected a number above 0.")
-        if not 0 < values["opacity"] <= 1:
-            raise QovrError(f"The opacity is {values['opacity']:g}; expected a number above 0, up to 1.")
-        changes: dict[str, Any] = {**values}
+        changes: dict[str, Any] = {
+            name: typed_value(
+                field.text(), _FIELDS[name][1], _CHECKS.get(name, checked_number), getattr(self._first, name)
+            )
+            for name, field in self._fields.items()
+        }
         return replace(self._first, **changes)
 
     def _check(self) -> None:
@@ -79,13 +78,16 @@ class UnderlayDialog(QDialog):
         try:
             _ = self.underlay
         except QovrError as error:
-            reason = str(error)
+            reason = f"{error}."
         self._note.setText(reason)
         self._ok.setEnabled(not reason)
 
 
-def _typed(name: str, text: str) -> float:
-    value = typed_number(text)
-    if not isinstance(value, float) or not math.isfinite(value) or abs(value) > LARGEST_MAGNITUDE:
-        raise QovrError(f"{_FIELDS[name][1]} is no number; expected one as 0.35 or -2.")
+def _checked_opacity(value: object, name: str) -> float:
+    if not (isinstance(value, float) and 0 < value <= 1):
+        raise DocumentError(name, described(value), "a number above 0, up to 1")
     return value
+
+
+_CHECKS = {"width": checked_size, "height": checked_size, "opacity": _checked_opacity}
+"""What may be typed into a field that is no coordinate."""

@@ -144,9 +144,9 @@ def answer(editor, texts, button):
 
 def test_a_fixed_range_is_asked_for_and_checked(editor):
     editor.trigger("colour_by_mean")
-    said = answer(editor, [("x", "1"), ("2", "1"), ("1", "1"), ("-0,25", "5e-1")], QDialogButtonBox.StandardButton.Ok)
+    said = answer(editor, [("x", "1"), ("2", "1"), ("1", "1"), ("-0,25", "1/2")], QDialogButtonBox.StandardButton.Ok)
     assert [enabled for _, enabled in said] == [False, False, False, True]
-    assert "lower end is no number" in said[0][0]
+    assert said[0][0] == "The lower end is 'x'; expected a number as 0.35 or -2e-4."
     assert "has to lie above" in said[1][0]
     assert said[3][0] == ""
     assert editor.window.view.shown.settings.colour_range is ColourRange.FIXED

@@ -65,7 +65,7 @@ def test_a_picture_lies_where_it_is_said_to(bare):
     assert not bare.action("underlay_place").isEnabled()
     bare.trigger("underlay")
     assert "sheet.png" in bare.message()
-    answer("underlay", left="0", bottom="1", width="2", height="1", opacity="1")
+    answer("underlay", left="0", bottom="1", width="4/2", height="1", opacity="1")
     bare.trigger("underlay_place")
     assert [seen(bare, x, y) for x, y in ((0.5, 1.5), (1.5, 1.5), (0.5, 2.5), (2.5, 1.5))] == [
         RED, BLUE, background, background,
