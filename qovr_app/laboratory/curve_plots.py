@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QGridLayout, QWidget
 from qovr_app.laboratory.curve_functions import WeightsPlot
 from qovr_app.laboratory.curve_geometry import GeometryPlot
 from qovr_app.laboratory.curve_transformations import TransformationsPlot
+from qovr_app.laboratory.panel import WIDE
 from qovr_app.laboratory.plots import Captioned
 from qovr_app.laboratory.wording import value_text
 from qovr_app.store import Store
@@ -51,8 +52,6 @@ _BESIDE = _Arrangement(
 _BELOW = _Arrangement(
     ((0, 0, 1, 3), (1, 0, 1, 3), (2, 0, 1, 3), (3, 0, 1, 3)), (230, 140, 150, 190), (1, 0, 0), (3, 2, 2, 3)
 )
-_WIDE = 560
-"""From this width on the plots stand beside each other."""
 
 
 class CurvePlots(QWidget):
@@ -151,7 +150,7 @@ class CurvePlots(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._place(_BESIDE if event.size().width() >= _WIDE else _BELOW)
+        self._place(_BESIDE if event.size().width() >= WIDE else _BELOW)
 
     def _place(self, arrangement: _Arrangement) -> None:
         if arrangement is self._arrangement:

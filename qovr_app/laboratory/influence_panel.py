@@ -14,7 +14,7 @@ from qovr_app.laboratory.change_bar import ChangeBar
 from qovr_app.laboratory.falloff_plot import FalloffPlot
 from qovr_app.laboratory.heat_map import HeatMap
 from qovr_app.laboratory.influence_numbers import FactTable, copied_rows, facts
-from qovr_app.laboratory.panel import LaboratoryPanel
+from qovr_app.laboratory.panel import WIDE, LaboratoryPanel
 from qovr_app.laboratory.wording import change_text, value_text
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.names import ZONE_TITLES
@@ -33,8 +33,7 @@ from qovr_core.number_texts import percent_text
 
 _NAME = "laboratory.influence"
 _TABLE_WIDTH, _ANY = 196, 16_777_215
-_WIDE = 560
-"""From this width on the parts stand beside each other."""
+"""The second is what Qt takes for no largest width."""
 
 _LEAST_MAP, _LEAST_PLOT = 190, 170
 _WHAT_TO_DO = (
@@ -109,7 +108,7 @@ class InfluencePanel(LaboratoryPanel):
             self._map.show_influence(found)
             self._plot.show_influence(found, fall)
             self._table.show_facts(facts(found, fall))
-            self._place(is_wide=self.width() >= _WIDE)
+            self._place(is_wide=self.width() >= WIDE)
             self._on_map_hovered(None)
             self._on_plot_hovered(None)
 
@@ -141,7 +140,7 @@ class InfluencePanel(LaboratoryPanel):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self._place(is_wide=self.width() >= _WIDE)
+        self._place(is_wide=self.width() >= WIDE)
 
     def _place(self, *, is_wide: bool) -> None:
         """Put map, plot and numbers beside each other, or below each other where there is no room for that."""

@@ -15,6 +15,9 @@ from qovr_app.work.job import Job
 from qovr_app.work.quiet import QuietJob
 from qovr_app.work.worker import Worker
 
+WIDE = 560
+"""Logical pixels from which on the parts of a panel stand beside each other, and below each other in less."""
+
 
 class LaboratoryPanel(QWidget):
     """A panel that shows something of the configured surface and changes nothing by itself.

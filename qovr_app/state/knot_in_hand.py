@@ -6,9 +6,10 @@ import math
 from dataclasses import dataclass, replace
 
 from qovr_app.state.knot_intents import KnotsSet
+from qovr_core.geometry.folding import STEPS
 from qovr_core.geometry.knots import KNOT_NAMES, KnotPlace, Knots
 
-LEAST = 0.001
+_LEAST = 1 / STEPS
 """How near to 0 and 1 a hand brings a knot: a knot lies strictly between, and nearer ones swing out of sight."""
 
 STEP = 0.05
@@ -87,7 +88,7 @@ class KnotInHand:
             value = float(f"{round(value / STEP) * STEP:.12g}")
         elif pixel > 0 and math.isfinite(pixel):
             value = round(value, -math.floor(math.log10(pixel)))
-        return min(max(value, LEAST), 1 - LEAST)
+        return min(max(value, _LEAST), 1 - _LEAST)
 
 
 def default_knot(name: str) -> float:

@@ -10,10 +10,9 @@ from qovr_app.style.icon import program_icon
 from qovr_app.style.palette import follow_system
 from qovr_app.view3d.gl.support import set_default_format
 from qovr_app.window.display import check_display
+from qovr_core.commands.desktop import DESKTOP_NAME
 
 NAME = "QOVR Studio"
-DESKTOP_NAME = "qovr-studio"
-"""What the desktop's entry is called, by which a desktop finds the icon and the place of a window."""
 
 
 def make_application(arguments: list[str], *, scale: float | None = None) -> QApplication:

@@ -9,9 +9,7 @@ from PySide6.QtWidgets import QSlider, QStyle, QStyleOptionSlider, QWidget
 from qovr_app.state.gestures import next_gesture
 from qovr_app.style.palette import theme_in_force
 from qovr_app.widgets.bursts import Bursts
-
-_PARTS = 1000
-"""Steps of the slider from 0 to 1; both ends are left out, as a knot lies strictly between."""
+from qovr_core.geometry.folding import STEPS
 
 _BAND = 3.0
 
@@ -41,9 +39,9 @@ class KnotSlider(QSlider):
         super().__init__(Qt.Orientation.Horizontal, parent)
         self.setObjectName(name)
         self.setToolTip("Drag to move the knot, click twice to reset it")
-        self.setRange(1, _PARTS - 1)
-        self.setSingleStep(_PARTS // 100)
-        self.setPageStep(_PARTS // 10)
+        self.setRange(1, STEPS - 1)
+        self.setSingleStep(STEPS // 100)
+        self.setPageStep(STEPS // 10)
         self._forward: tuple[float, float] | None = None
         self._bursts = Bursts(self)
         self.sliderPressed.connect(self._on_pressed)
@@ -58,7 +56,7 @@ class KnotSlider(QSlider):
         forward : between which values its curve does not fold back; None where it does whatever this knot is
         """
         was_blocked = self.blockSignals(True)
-        self.setValue(round(value * _PARTS))
+        self.setValue(round(value * STEPS))
         self.blockSignals(was_blocked)
         if forward != self._forward:
             self._forward = forward
@@ -80,7 +78,7 @@ class KnotSlider(QSlider):
         self.gesture_cancelled.emit(gesture)
 
     def _on_value_changed(self, value: int) -> None:
-        self.knot_moved.emit(value / _PARTS, self._gesture or self._bursts.step())
+        self.knot_moved.emit(value / STEPS, self._gesture or self._bursts.step())
 
     # Mouse and keys
 

@@ -17,7 +17,9 @@ from qovr_core.commands.common import DONE
 from qovr_core.errors import QovrError
 from qovr_core.files.atomic import replacing
 
-_NAME = "qovr-studio"
+DESKTOP_NAME = "qovr-studio"
+"""What the entry is called, by which a desktop finds the icon and the place of a window."""
+
 _MIME_ICON = "application-x-qovr"
 
 _ELSEWHERE = {
@@ -97,9 +99,9 @@ def _places(data: Path) -> tuple[Path, Path, Path, Path]:
     """Return where entry, file type, and the icons of program and files belong."""
     scalable = data / "icons" / "hicolor" / "scalable"
     return (
-        data / "applications" / f"{_NAME}.desktop",
-        data / "mime" / "packages" / f"{_NAME}.xml",
-        scalable / "apps" / f"{_NAME}.svg",
+        data / "applications" / f"{DESKTOP_NAME}.desktop",
+        data / "mime" / "packages" / f"{DESKTOP_NAME}.xml",
+        scalable / "apps" / f"{DESKTOP_NAME}.svg",
         scalable / "mimetypes" / f"{_MIME_ICON}.svg",
     )
 
@@ -107,10 +109,10 @@ def _places(data: Path) -> tuple[Path, Path, Path, Path]:
 def _contents(data: Path) -> dict[Path, bytes]:
     """Return what belongs where."""
     resources, program = files("qovr_resources"), _program()
-    entry = resources.joinpath("desktop", f"{_NAME}.desktop").read_text(encoding="utf-8")
+    entry = resources.joinpath("desktop", f"{DESKTOP_NAME}.desktop").read_text(encoding="utf-8")
     entry = entry.replace("{exec}", exec_word(program)).replace("{program}", _escaped(program))
-    kind = resources.joinpath("desktop", f"{_NAME}.xml").read_bytes()
-    icon = resources.joinpath("icons", f"{_NAME}.svg").read_bytes()
+    kind = resources.joinpath("desktop", f"{DESKTOP_NAME}.xml").read_bytes()
+    icon = resources.joinpath("icons", f"{DESKTOP_NAME}.svg").read_bytes()
     return dict(zip(_places(data), (entry.encode(), kind, icon, icon), strict=True))
 
 

@@ -33,8 +33,8 @@ _BLENDING = bernstein.product(np.eye(3)[:, None], np.eye(5)).reshape(15, 7)
 """What each coefficient of each parabola adds to those of the curve."""
 
 _REMEMBERED = 512
-_STEPS = 1000
-"""A range of a knot is found to this part of 1, the step of the sliders."""
+STEPS = 1000
+"""A range of a knot is found to this part of 1; so fine are sliders, too, which leave both ends out."""
 
 
 Parts = tuple[tuple[float, float], ...]
@@ -105,7 +105,7 @@ def forward_range(knots: Knots, name: str) -> tuple[float, float] | None:
 
 @lru_cache(maxsize=_REMEMBERED)
 def _forward_ranges(others: tuple[float, ...], number: int) -> list[tuple[float, float]]:
-    values = np.arange(1, _STEPS) / _STEPS
+    values = np.arange(1, STEPS) / STEPS
     knots = np.insert(np.broadcast_to(others, (values.size, 3)), number, values, axis=1)
     is_forward = np.concatenate([[False], ~folds(knots), [False]])
     begins, ends = (np.flatnonzero(np.diff(is_forward.astype(int)) == turn) for turn in (1, -1))

@@ -10,13 +10,9 @@ from qovr_core.arrays import Flags, read_only
 from qovr_core.document import NetIndex
 
 
-def flags_of(points: frozenset[NetIndex], shape: tuple[int, int]) -> Flags:
-    """Return which points of a net are among these, (rows, columns) bool, read-only; what the net has not is left."""
-    return _flags_of(points, shape)
-
-
 @lru_cache(maxsize=8)
-def _flags_of(points: frozenset[NetIndex], shape: tuple[int, int]) -> Flags:
+def flags_of(points: frozenset[NetIndex], shape: tuple[int, ...]) -> Flags:
+    """Return which points of a net are among these, (rows, columns) bool, read-only; what the net has not is left."""
     flags = np.zeros(shape, dtype=bool)
     if points:
         i, j = np.array(list(points)).T
