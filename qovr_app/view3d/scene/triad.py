@@ -49,7 +49,12 @@ class End:
     @property
     def radius(self) -> float:
         """Of its disc, in logical pixels."""
-        return HIGH_RADIUS if self.is_high else LOW_RADIUS
+        return end_radius(is_high=self.is_high)
+
+
+def end_radius(*, is_high: bool) -> float:
+    """Return the radius of an end's disc, in logical pixels."""
+    return HIGH_RADIUS if is_high else LOW_RADIUS
 
 
 def has_triad(settings: DisplaySettings, size: Size) -> bool:
