@@ -33,6 +33,13 @@ def selected(state: EditorState, intent: looking_intents.Selected) -> EditorStat
     return with_message(state, "P {},{}.  {}".format(*latest, DRAG_HINT))
 
 
+def without_old_hint(before: EditorState, after: EditorState) -> EditorState:
+    """Return the state in which the hint of a selected point has ended with its selection."""
+    said = after.message
+    is_hint = said is not None and said is before.message and said.text.endswith(DRAG_HINT)
+    return replace(after, message=None) if is_hint and after.selection != before.selection else after
+
+
 def points_put_away(state: EditorState, intent: looking_intents.PointsPutAway) -> EditorState:
     check_points(state.document, intent.indices)
     put_away = frozenset(intent.indices)

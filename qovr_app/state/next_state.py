@@ -78,4 +78,4 @@ def next_state(state: EditorState, intent: intents.Intent) -> EditorState:
         step = _STEPS[type(intent)]
     except KeyError:
         raise TypeError(f"no step follows {type(intent).__name__}; expected one of the intents") from None
-    return step(state, intent)
+    return looking_steps.without_old_hint(state, step(state, intent))

@@ -304,3 +304,10 @@ class TestStore:
 def test_a_window_begins_with_the_layer_that_lies_on_the_net(start, remembered, shown):
     display = replace(start.display, layer=remembered)  # as an interpolating document has left it
     assert after(first_state(start.document, start.file, display), intents.Configured()).display.layer is shown
+
+
+def test_the_hint_of_a_selected_point_ends_with_its_selection(start):
+    state = after(start, looking_intents.Selected((2, 3)))
+    assert "Drag" in state.message.text
+    assert after(state, looking_intents.DisplayChosen("labels", False)).message is state.message
+    assert after(state, looking_intents.FieldFocused(CoordinatePlace(1, 1, 2))).message is None
