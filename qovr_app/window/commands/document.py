@@ -218,7 +218,7 @@ def surface_commands() -> tuple[Command, ...]:
             lambda state: knot_intents.LinkSwitched("curves", not state.links.curves),
             menu,
             "Ctrl+K",
-            "Editing a knot sets it on all five curves of its direction",
+            "Editing a knot sets it on all curves of its direction",
             is_checked=lambda state: state.links.curves,
         ),
         Command(
