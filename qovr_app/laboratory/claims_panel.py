@@ -181,6 +181,7 @@ class ClaimsPanel(WorkingPanel):
         policy.setRetainSizeWhenHidden(True)
         self._progress.setSizePolicy(policy)
         self._state.setContentsMargins(2 * SPACE, 0, 2 * SPACE, 0)
+        self._state.setWordWrap(True)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, SPACE)
         layout.setSpacing(SPACE)

@@ -109,7 +109,7 @@ class ComparisonPanel(WorkingPanel):
 
     def _arrange(self) -> None:
         layout = QVBoxLayout(self)
-        layout.setContentsMargins(2 * SPACE, SPACE, 2 * SPACE, SPACE)
+        layout.setContentsMargins(SPACE, SPACE, SPACE, SPACE)
         layout.setSpacing(SPACE)
         layout.addWidget(self._bar)
         layout.addLayout(self.with_again(self._state, "laboratory.comparison"))

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from math import isfinite
 
-from PySide6.QtCore import QSize, Qt
-from PySide6.QtGui import QColor, QFont, QResizeEvent
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QColor, QFont, QFontMetrics, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QWidget
 
 from qovr_app.state.html_tables import Shown
@@ -17,6 +17,13 @@ from qovr_core.laboratory.comparison import Measures, compared_names
 from qovr_core.laboratory.comparison_report import ROWS, surface_descriptions, surface_titles
 
 _ROW_BEYOND_TEXT = 2
+_CELL_ROOM = 2 * SPACE
+"""Of a cell's width, what the style keeps free beside its text."""
+
+_NUMBER_ROOM = 6
+_USUAL_NUMBER = "0.01234"
+"""For what columns have room before anything is measured, so that none moves when it is."""
+
 _VALUE = Qt.ItemDataRole.UserRole
 """Where a cell has its number in full."""
 
@@ -113,9 +120,42 @@ class ComparisonTable(QuietTable):
         self._fit_measures()
 
     def _fit_measures(self) -> None:
-        """Give the names of the measures what the numbers leave, but never less than they need."""
-        numbers = sum(map(self.columnWidth, range(1, self.columnCount())))
-        self.setColumnWidth(0, max(self.viewport().width() - numbers, self.sizeHintForColumn(0) + SPACE))
+        """Give the names of the measures what the numbers leave; where that is too little, break names and headings."""
+        room, columns = self.viewport().width(), range(1, self.columnCount())
+        number = self.fontMetrics().horizontalAdvance(_USUAL_NUMBER) + _NUMBER_ROOM
+        needed = [max(self.sizeHintForColumn(column), number) for column in columns]
+        headings = [self._heading_width(column) for column in columns]
+        whole = list(map(max, needed, headings))
+        names = self.sizeHintForColumn(0) + SPACE
+        is_broken = names + sum(whole) > room
+        if is_broken:
+            names = min(names, self._longest_word() + _CELL_ROOM)
+            whole = needed
+        for column, width in zip(columns, whole, strict=True):
+            self.setColumnWidth(column, width)
+        self.setColumnWidth(0, max(names, room - sum(whole)))
+        self._break_lines(is_broken=is_broken)
+
+    def _heading_width(self, column: int) -> int:
+        """Return what a whole heading needs, whether it is broken now or not."""
+        metrics = QFontMetrics(self.horizontalHeaderItem(column).font())
+        return metrics.horizontalAdvance(self._titles[self._names[column - 1]]) + _CELL_ROOM
+
+    def _longest_word(self) -> int:
+        words = [word for measure in ROWS for word in measure.label.split()]
+        return max(map(self.fontMetrics().horizontalAdvance, words))
+
+    def _break_lines(self, *, is_broken: bool) -> None:
+        """Write names and headings in as many lines as they need, or each in one."""
+        wrap = Qt.TextFlag.TextWordWrap if is_broken else Qt.TextFlag.TextSingleLine
+        for column, name in enumerate(self._names, start=1):
+            title = self._titles[name]
+            self.horizontalHeaderItem(column).setText(title.replace("-", "-\n") if is_broken else title)
+        for row, measure in enumerate(ROWS):
+            room = QRect(0, 0, self.columnWidth(0) - _CELL_ROOM, 0)
+            height = self.fontMetrics().boundingRect(room, wrap, measure.label).height()
+            self.setRowHeight(row, height + _ROW_BEYOND_TEXT)
+        self.setWordWrap(is_broken)
 
     def sizeHint(self) -> QSize:
         down = self.verticalHeader().defaultSectionSize()
@@ -133,7 +173,7 @@ class ComparisonTable(QuietTable):
 
     def style_headers(self) -> None:
         self.horizontalHeader().setStyleSheet(
-            f"QHeaderView::section {{ border: none; background: palette(button); padding: {SPACE}px {SPACE}px; }}"
+            f"QHeaderView::section {{ border: none; background: palette(button); padding: {SPACE}px {SPACE // 2}px; }}"
         )
 
     def _arrange_headers(self) -> None:
@@ -148,7 +188,7 @@ class ComparisonTable(QuietTable):
             header = self.horizontalHeaderItem(column)
             header.setTextAlignment(RIGHT)
             header.setToolTip(surface_descriptions()[name])
-            across.setSectionResizeMode(column, QHeaderView.ResizeMode.ResizeToContents)
+            across.setSectionResizeMode(column, QHeaderView.ResizeMode.Fixed)
         down.setVisible(False)
         down.setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         down.setDefaultSectionSize(self.fontMetrics().height() + _ROW_BEYOND_TEXT)

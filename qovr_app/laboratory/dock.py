@@ -11,7 +11,6 @@ from PySide6.QtWidgets import (
     QMenu,
     QScrollArea,
     QStackedWidget,
-    QTabBar,
     QToolButton,
     QVBoxLayout,
     QWidget,
@@ -24,6 +23,7 @@ from qovr_app.state.editor_state import EditorState
 from qovr_app.state.looking_intents import DisplayChosen, PanelShown
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
+from qovr_app.widgets.narrow_tabs import NarrowTabs
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.work.worker import Worker
@@ -112,8 +112,8 @@ class LaboratoryDock(QWidget):
         self._stack.addWidget(area)
         return panel
 
-    def _make_tabs(self) -> QTabBar:
-        tabs = named(QTabBar(self), "laboratory.tabs", "Panels of the laboratory")
+    def _make_tabs(self) -> NarrowTabs:
+        tabs = named(NarrowTabs(self), "laboratory.tabs", "Panels of the laboratory")
         guard_from_wheels(tabs)
         tabs.setDocumentMode(True)
         tabs.setDrawBase(False)
@@ -121,7 +121,8 @@ class LaboratoryDock(QWidget):
         tabs.setUsesScrollButtons(False)  # in a narrow place they would hide a tab; shortened ones have tips
         tabs.setElideMode(Qt.TextElideMode.ElideRight)
         for number, record in enumerate(self._records):
-            tabs.addTab(record.title.replace("&", ""))
+            tabs.addTab(record.tab)
+            tabs.setAccessibleTabName(number, record.title.replace("&", ""))
             tabs.setTabToolTip(number, record.tip)
         tabs.currentChanged.connect(lambda number: self._store.dispatch(PanelShown(self._records[number].name)))
         return tabs

@@ -19,7 +19,7 @@ class PanelRecord:
     Parameters
     ----------
     name : the panel is called ``laboratory.NAME``, its command ``laboratory_NAME``
-    title : what the menu says, and the tab without the mark of its access key
+    title : what the menu says
     tip : one sentence on what it shows
     make : returns a new panel that shows the states of a store, dispatches to it, and does in a worker what takes time
     """
@@ -28,6 +28,11 @@ class PanelRecord:
     title: str
     tip: str
     make: Callable[[Store, Worker], LaboratoryPanel]
+
+    @property
+    def tab(self) -> str:
+        """What the tab says: the one word of the title that tells it from the others, whole in a narrow column."""
+        return self.title.replace("&", "").split()[-1].capitalize()
 
 
 def _lazily(module: str, kind: str) -> Callable[[Store, Worker], LaboratoryPanel]:

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QLineEdit, QSizePolicy, QWidget
 from qovr_app.style.fonts import number_font
 from qovr_core.number_texts import MORE_DIGITS
 
-PADDING, LEAST_PADDING = 4, 2
+PADDING, LEAST_PADDING = 4, 1
 """Between the text and the edges of its cell, in logical pixels; the least one where digits have to be left out."""
 
 _HEIGHT_BEYOND_TEXT = 4
@@ -37,7 +37,11 @@ class GrowingLine(QLineEdit):
         self.setTextMargins(PADDING - 2, 0, PADDING - 2, 0)
         self.setFont(number_font(self.font()))
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        self.setMaximumHeight(round(_TALLER * self.sizeHint().height()))
+        self.set_tallest(_TALLER)
+
+    def set_tallest(self, part: float) -> None:
+        """Grow at most to this multiple of what a line of text needs."""
+        self.setMaximumHeight(round(part * self.sizeHint().height()))
 
     def set_width(self, width: int) -> None:
         """Give the field a width of its own; without, it fills what it is given."""
@@ -48,7 +52,7 @@ class GrowingLine(QLineEdit):
         return self._size_of(_FIRST_TEXT, PADDING + 1)
 
     def minimumSizeHint(self) -> QSize:
-        return self._size_of(self._least_text, LEAST_PADDING)
+        return self._size_of(self._least_text, LEAST_PADDING + 1)
 
     def set_least_text(self, text: str) -> None:
         """Have room for at least this text; for a few digits where it is empty."""

@@ -25,8 +25,8 @@ from qovr_core.number_texts import ALL_DIGITS, USUAL_DIGITS, fitted_text, number
 
 _FEWEST_DIGITS = 3
 _ROW_BEYOND_TEXT = 4
-_TALLER = 1.7
-"""How far a table may grow where there is more height than it needs."""
+_TALLER = 1.2
+"""How far a table may grow where there is more height than it needs: rows farther apart are read one by one."""
 
 _ITEM_PADDING = 6
 _ROW_HEADER_WIDTH = 28

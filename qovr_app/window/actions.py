@@ -16,11 +16,15 @@ from qovr_app.window.commands import Command
 
 
 class Actions(QObject):
-    """An action for every command; pressing one dispatches its intent, and nothing else ever sets its mark."""
+    """An action for every command; pressing one dispatches its intent, and nothing else ever sets its mark.
+
+    ``used`` are the names of the commands that were given, the latest last.
+    """
 
     def __init__(self, commands: Sequence[Command], store: Store, parent: QObject) -> None:
         super().__init__(parent)
         self.commands, self.store = tuple(commands), store
+        self.used: list[str] = []
         self._groups: dict[str, QActionGroup] = {}
         self._actions = {command.name: self._action(command) for command in self.commands}
 
@@ -62,6 +66,7 @@ class Actions(QObject):
         return action
 
     def _on_triggered(self, command: Command) -> None:
+        self.used = [*(name for name in self.used if name != command.name), command.name]
         self.store.dispatch(command.intent(self.store.state))
         # Qt has turned the mark by itself, and a refused intent leaves the state as it was.
         self.show_state(None, self.store.state)
@@ -79,4 +84,3 @@ def _name(action: QAction, verb: str, noun: str) -> None:
     if action.text() != text:
         action.setText(text)
         action.setToolTip(plain_tip(f"{verb.replace('&', '')} {noun}".strip()))
-        action.setIconText(verb.replace("&", ""))

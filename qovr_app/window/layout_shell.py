@@ -34,7 +34,7 @@ class LayoutShell:
             requests.ViewRestartAsked: layout.view_frame.restart,
             requests.CameraMoved: lambda moved: layout.view_frame.move_camera(moved.step),
             requests.RangeAsked: self._ask_range,
-            requests.TransformAsked: lambda _asked: ask_transform(store, window),
+            requests.TransformAsked: lambda _asked: ask_transform(store, window, layout.view_frame),
             requests.SymmetryAsked: lambda _asked: ask_symmetry(store, window),
             requests.ZoneButtonPressed: self._press_zone_button,
             requests.FocusAsked: lambda asked: layout.focus_part(asked.part),

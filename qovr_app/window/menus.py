@@ -7,12 +7,13 @@ from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QHBoxLayout, QMenu, QMenuBar, QToolBar, QToolButton, QWidget
+from PySide6.QtWidgets import QMenu, QMenuBar, QToolBar, QToolButton, QWidget
 
 from qovr_app.state.requests import RecentCleared, SourceAsked
 from qovr_app.store import Dispatch
 from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.actions import Actions
+from qovr_app.window.bars import Bars
 from qovr_app.window.tool_options import ToolField
 
 _BAR_LAYERS = {"layer_raw": "Raw", "layer_transformed": "Transformed", "layer_both": "Both"}
@@ -39,6 +40,9 @@ _BAR_EDITS = {
     "undo": "Undo",
     "redo": "Redo",
 }
+
+_SHORTER = {"link_directions": "+ directions", "undo": "↶", "redo": "↷", "scaling_equal": "1:1"}
+"""What the bars say in a narrow window, so that what is nowhere else on the screen stays in them."""
 
 _BAR_TOOLS = {"snap": ("Snap", "snap_step"), "soft": ("Soft", "soft_radius")}
 """The tools that have a size, by the command: text, and the field of the size beside it."""
@@ -69,13 +73,9 @@ def _menu(path: str, bar: QMenuBar, menus: dict[str, QMenu]) -> QMenu:
 
 def make_bars(actions: Actions, parent: QWidget) -> QWidget:
     """Return what stands over everything else, whatever of that is shown: the two bars in one row."""
-    bars = QWidget(parent)
-    row = QHBoxLayout(bars)
-    row.setContentsMargins(0, 0, 0, 0)
-    row.setSpacing(0)
-    row.addWidget(make_edit_bar(actions, bars))
-    row.addWidget(make_view_bar(actions, bars), 1)
-    return bars
+    shorter = {actions[name]: text for name, text in _SHORTER.items()}
+    cameras = [actions[name] for name in _BAR_CAMERAS]
+    return Bars(make_edit_bar(actions, parent), make_view_bar(actions, parent), shorter, cameras, parent)
 
 
 def make_view_bar(actions: Actions, parent: QWidget) -> QToolBar:

@@ -13,6 +13,9 @@ from qovr_app.window.actions import Actions
 from qovr_app.window.commands import Command
 
 _WIDTH, _HEIGHT, _TOP = 560, 360, 60
+_OWN = "palette"
+"""The command that opens the palette, which is not listed in it."""
+
 _STEPS = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1, Qt.Key.Key_PageDown: 10, Qt.Key.Key_PageUp: -10}
 
 
@@ -49,19 +52,31 @@ class Palette(QDialog):
         return True
 
     def _fill(self, text: str) -> None:
-        """List the commands in whose words all that is typed occurs; those in whose name it does first."""
+        """List the commands in whose words all that is typed occurs, what can be done now first.
+
+        Before anything is typed none is chosen but the one given last: Enter alone must not do what was not asked for.
+        """
         words = text.lower().split()
-        commands = [command for command in self._actions.commands if command.name != "palette"]
+        commands = [command for command in self._actions.commands if command.name != _OWN]
         found = [command for command in commands if all(word in _words(command) for word in words)]
         self._list.clear()
         for command in sorted(found, key=self._distance(text.lower())):
             self._list.addItem(self._item(command))
-        self._list.setCurrentRow(0)
+        is_known = bool(words or self._used())
+        self._list.setCurrentRow(0 if is_known else -1)
 
-    def _distance(self, text: str) -> Callable[[Command], tuple[bool, bool]]:
-        def distance(command: Command) -> tuple[bool, bool]:
-            name = self._name(command).lower()
-            return not name.startswith(text), not all(word in name for word in text.split())
+    def _used(self) -> list[str]:
+        """Return the names of the commands that were given and can be again, the latest first."""
+        return [name for name in reversed(self._actions.used) if name != _OWN and self._actions[name].isEnabled()]
+
+    def _distance(self, text: str) -> Callable[[Command], tuple[bool, bool, bool, int]]:
+        """Return what commands are sorted by: possible, begins so, has it in its name, was given lately."""
+        used = self._used()
+
+        def distance(command: Command) -> tuple[bool, bool, bool, int]:
+            name, is_enabled = self._name(command).lower(), self._actions[command.name].isEnabled()
+            since = used.index(command.name) if command.name in used else len(used)
+            return not is_enabled, not name.startswith(text), not all(word in name for word in text.split()), since
 
         return distance
 

@@ -11,8 +11,9 @@ ZONES_FROM, WIDE_FROM = 1400, 2560
 """Widths in logical pixels: from the first one all four zones stand beside the view; from the second, the laboratory
 too."""
 
-_COLUMN, _DRAWER = 320, 380
-"""Widths of the column with tabs, and of the laboratory in its place: at 1280 pixels the view has 900 beside either."""
+_COLUMN, _SLIM = 380, 320
+"""Widths of the column with tabs: with room for six digits and a sign, where the view has 900 of 1280 pixels beside it;
+and where the laboratory stands at the view's other side."""
 
 _MOST_OF_NARROW = 0.4
 """What the view leaves to the column of a narrow window, at most."""
@@ -23,10 +24,10 @@ _ZONES, _ZONES_GROW = 740, 10
 _BESIDE_BELOW = 880
 """Below the view, zones stand side by side from this width on: what their fields and buttons need."""
 
-_BELOW = 660
+_BELOW = 700
 """First height of the zones below the view: what both zones of knots need, one above the other."""
 
-_MOST_OF_TALL = 0.46
+_MOST_OF_TALL = 0.467
 _RIGHT, _PART_RIGHT = 400, 0.21
 _UNDER, _PART_UNDER = 330, 0.4
 """First size of the laboratory, at the right at least and under the view at most, and its part of the window."""
@@ -102,7 +103,8 @@ def room_of(width: int, height: int, place: LaboratoryPlace, *, is_open: bool) -
         zones = round(min(_BELOW, _MOST_OF_TALL * height))
         return Room(form, width < _BESIDE_BELOW, zones, height, dock, has_drawer, laboratory)
     if form is Form.TABS:
-        wanted, most = _DRAWER if has_drawer else _COLUMN, int(_MOST_OF_NARROW * width) - 1
+        wanted = _SLIM if is_open and dock is Dock.RIGHT else _COLUMN
+        most = int(_MOST_OF_NARROW * width) - 1
         return Room(form, True, min(wanted, most), most, dock, has_drawer, laboratory)
     zones = _ZONES + (width - ZONES_FROM) // _ZONES_GROW
     return Room(form, False, zones, width, dock, has_drawer, laboratory)

@@ -19,7 +19,7 @@ from qovr_core.net_edits import Transform
 _FROM_EDGE = 24
 
 
-def ask_transform(store: Store, window: QWidget) -> None:
+def ask_transform(store: Store, window: QWidget, view: QWidget) -> None:
     """Ask by how much the points that are selected now are to be moved; the view shows it at once, Cancel puts back."""
     begun, gesture = store.state.document, next_gesture()
     indices = store.state.selection.indices
@@ -36,8 +36,9 @@ def ask_transform(store: Store, window: QWidget) -> None:
     dialog.rejected.connect(lambda: store.dispatch(GestureCancelled(gesture)))
     dialog.finished.connect(dialog.deleteLater)
     dialog.open()
-    # beside the window's left edge, where it lies over numbers and not over the surface
-    dialog.move(window.mapToGlobal(QPoint(_FROM_EDGE, window.height() - dialog.height() - _FROM_EDGE)))
+    # in a corner of the view: the numbers that change meanwhile stay in sight, and so does most of the surface
+    place = QPoint(view.width() - dialog.width() - _FROM_EDGE, view.height() - dialog.height() - _FROM_EDGE)
+    dialog.move(view.mapToGlobal(QPoint(max(0, place.x()), max(0, place.y()))))
 
 
 def ask_symmetry(store: Store, window: QWidget) -> None:

@@ -38,8 +38,12 @@ from qovr_core.number_texts import knot_step
 _NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
 """The knots in the order of the paper's window: rightwards for the rows, downwards for the columns."""
 
-_LEAST_PLOT = 124
+_LEAST_PLOT = 112
 """Lower, a picture of the knots with its title says nothing: then the zones are scrolled."""
+
+
+_TALLEST = 1.25
+"""How far a field of a knot may grow: what height is left says more in the picture under the fields."""
 
 
 class KnotsZone(FieldZone):
@@ -125,6 +129,7 @@ class KnotsZone(FieldZone):
             grid.setRowStretch(r, 1)
             for c, place in enumerate(row, start=1):
                 field = self._make_field(place, knot_step)
+                field.set_tallest(_TALLEST)
                 field.set_tip(knot_meaning(place))
                 grid.addWidget(field, r, c)
         for c, column in enumerate(zip(*table, strict=True), start=1):

@@ -15,6 +15,7 @@ from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.clipboard import Rows
 from qovr_app.widgets.header_label import HeaderLabel
 from qovr_app.widgets.number_field import Snapping
+from qovr_app.widgets.parts import MARGINS
 from qovr_app.zones.headings import Headings
 from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number
@@ -39,6 +40,7 @@ class PointsZone(FieldZone):
         super().__init__(Zone.CONTROL_POINTS, symbol_html("P", "i,j"), store, parent)
         self._snapping = Snapping(lambda: store.state.tools.snap_step, lambda: store.state.tools.snaps)
         self._headings = Headings(store, self.fields)
+        self._layout.setContentsMargins(SPACE, MARGINS[1], SPACE, MARGINS[3])
         self._layout.addLayout(self._make_grid(), _ROWS_FIRST)
         self._layout.addLayout(self._make_buttons())
         self._layout.addStretch(1)
@@ -90,7 +92,7 @@ class PointsZone(FieldZone):
 
     def _make_grid(self) -> QGridLayout:
         grid = QGridLayout()
-        grid.setHorizontalSpacing(SPACE)
+        grid.setHorizontalSpacing(SPACE // 2)  # what is left over is the numbers'
         grid.setVerticalSpacing(1)
         for j in range(NET_SIZE):
             header = self._line_header(f"<i>j</i> = {j}", f"column_{j}", [(i, j) for i in range(NET_SIZE)])

@@ -37,7 +37,7 @@ def hiding_commands() -> tuple[Command, ...]:
         ),
         Command(
             "show_points",
-            "&Show all",
+            "Sho&w all",
             asking(PointsPutAway(())),
             _MENU,
             "Ctrl+Alt+H",

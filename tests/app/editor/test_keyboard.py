@@ -61,7 +61,7 @@ def test_every_action_is_in_a_menu_with_a_letter_to_reach_it(editor):
 
 
 def test_no_letter_of_a_menu_is_given_twice(editor):
-    for menu in editor.window.menuBar().findChildren(QMenu):
+    for menu in editor.window.findChildren(QMenu):
         texts = [action.text() for action in menu.actions() if "&" in action.text()]
         letters = [text[text.index("&") + 1].lower() for text in texts]
         assert len(set(letters)) == len(letters), (menu.objectName(), texts)

@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
     QTabBar,
     QTableWidget,
     QToolBar,
+    QToolButton,
     QWidget,
 )
 
@@ -154,11 +155,48 @@ def test_six_digits_and_the_sign_are_seen_where_all_zones_are(make_editor, size)
 
 def test_rows_grow_with_the_height(make_editor):
     editor = make_editor("paper:fig6c", (1440, 760))
-    names = ("control_points.P_0_0.z", "row_knots.C_0.r", "column_knots.K_0.v", "surface.matrix")
+    names = ("control_points.P_0_0.z", "row_knots.plot", "column_knots.plot")
     before = [editor.find(name).height() for name in names]
     editor.window.resize(1440, 1200)
     editor.settle()
     assert all(editor.find(name).height() > height for name, height in zip(names, before, strict=True))
+    for name in ("row_knots.C_0.r", "column_knots.K_0.v"):  # one digit needs no more, and the picture says it better
+        assert editor.find(name).height() < 2 * editor.find(name).fontMetrics().height(), name
+
+
+def test_six_digits_and_the_sign_are_seen_in_the_column(make_editor):
+    editor = make_editor("paper:fig6c", (1280, 720))
+    editor.type_into("control_points.P_4_4.z", "-0.123456")
+    field = editor.field("control_points.P_4_4.z")
+    assert field.fontMetrics().horizontalAdvance("-0.123456") + 2 <= field.width()
+
+
+@pytest.mark.parametrize("size", [(911, 512), (1280, 720)])
+def test_the_laboratory_cuts_no_word_and_scrolls_sideways_nowhere(make_editor, size):
+    editor = make_editor("paper:fig5", size)
+    for name in PANELS:
+        editor.trigger(f"laboratory_{name}")
+        panel = editor.find(f"laboratory.{name}")
+        area = panel.parentWidget().parentWidget()
+        assert area.horizontalScrollBar().maximum() == 0, name
+    tabs = editor.find("laboratory.tabs", QTabBar)
+    for number in range(tabs.count()):
+        assert tabs.fontMetrics().horizontalAdvance(tabs.tabText(number)) < tabs.tabRect(number).width()
+
+
+def test_a_narrow_bar_does_without_the_cameras_first(make_editor):
+    editor = make_editor("paper:fig5", (1280, 720))
+    bar = editor.find("view_bar", QToolBar)
+    cameras = [editor.action(name) for name in ("camera_paper", "camera_top", "fit")]
+    assert all(bar.widgetForAction(camera).isVisible() for camera in cameras)
+    editor.window.resize(911, 512)
+    editor.settle()
+    shown = {button.text() for button in bar.findChildren(QToolButton) if button.isVisible()}
+    assert {"Style", "Colour by", "Show"} <= shown
+    assert not any(camera in bar.actions() for camera in cameras)
+    editor.window.resize(1280, 720)
+    editor.settle()
+    assert all(bar.widgetForAction(camera).isVisible() for camera in cameras)
 
 
 @pytest.mark.parametrize("size", [(911, 512), (1280, 720)])
@@ -298,10 +336,10 @@ def test_sizes_are_kept_apart_for_every_arrangement(home, app):
     first.window.resize(1280, 720)
     first.settle()
     first.drag_handle("workspace", -30)
-    assert first.find("workspace").sizes()[0] == pytest.approx(290, abs=3)
+    assert first.find("workspace").sizes()[0] == pytest.approx(350, abs=3)
     first.discard()
     again = Editor(MainWindow("paper:fig5", Preferences()), (1280, 720))
-    assert again.find("workspace").sizes()[0] == pytest.approx(290, abs=3)
+    assert again.find("workspace").sizes()[0] == pytest.approx(350, abs=3)
     again.window.resize(1440, 900)
     again.settle()
     assert again.find("workspace").sizes()[0] == pytest.approx(wide, abs=3)

@@ -102,9 +102,34 @@ def test_the_palette_says_what_a_command_needs_and_does_it_not(editor):
 def test_the_palette_lists_every_other_command(editor):
     commands = [command for command in editor.window._actions.commands if command.name != "palette"]
     assert len(palette(editor, "")) == len(commands)
-    first = editor.find("palette.matches", QListWidget)
+    editor.key(Qt.Key.Key_Escape)
+
+
+def test_the_palette_lists_first_what_can_be_done_and_was_done_last(editor):
+    editor.trigger("camera_top")
+    editor.trigger("camera_front")
+    lines = palette(editor, "")
+    assert [line.split("   ")[0] for line in lines[:2]] == ["Front", "Top"]
+    matches = editor.find("palette.matches", QListWidget)
+    actions = [editor.action(matches.item(row).data(Qt.ItemDataRole.UserRole)) for row in range(matches.count())]
+    enabled = [action.isEnabled() for action in actions]
+    assert enabled == sorted(enabled, reverse=True)
+    assert not all(enabled)
+    assert matches.currentRow() == 0
     editor.key(Qt.Key.Key_Down)
-    assert first.currentRow() == 1
+    assert matches.currentRow() == 1
+    editor.key(Qt.Key.Key_Escape)
+
+
+def test_the_palette_does_nothing_before_anything_is_asked_for(make_editor):
+    editor = make_editor(None)
+    editor.window._actions.used.clear()
+    document = editor.document
+    palette(editor, "")
+    assert editor.find("palette.matches", QListWidget).currentRow() == -1
+    editor.key(Qt.Key.Key_Return)
+    assert editor.document is document
+    assert editor.find("palette.matches", QListWidget).isVisible()
     editor.key(Qt.Key.Key_Escape)
 
 

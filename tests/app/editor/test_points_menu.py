@@ -38,6 +38,8 @@ def test_a_transform_is_seen_at_once_and_put_back_exactly(editor):
     before, redo = editor.document, editor.action("redo").text()
     editor.trigger("transform_points")
     dialog = editor.dialog("transform")
+    view = editor.window.parts.view_frame
+    assert dialog.frameGeometry().left() >= view.mapToGlobal(view.rect().topLeft()).x()  # the numbers stay in sight
     note = editor.find("transform.note")
     assert "Mean of 2 points: x 1.5, y 1.5" in note.text()
     type_at_focus(editor, "1/4")
