@@ -158,7 +158,7 @@ for _field in (
         "sensitivity",
         "Sensitivity",
         "|∂S/∂knot|",
-        "Sensiti&vity to the knot in focus",
+        "Sensitivit&y to the knot in focus",
         "Colours say |dS/dknot| for the knot whose field had the keyboard last",
         lambda _, u, v, slope: np.linalg.norm(slope.points(u, v), axis=-1),
         finest=_FINE,

@@ -24,10 +24,10 @@ _ZONES, _ZONES_GROW = 740, 10
 _BESIDE_BELOW = 880
 """Below the view, zones stand side by side from this width on: what their fields and buttons need."""
 
-_BELOW = 700
+_BELOW = 660
 """First height of the zones below the view: what both zones of knots need, one above the other."""
 
-_MOST_OF_TALL = 0.467
+_MOST_OF_TALL = 0.46
 _RIGHT, _PART_RIGHT = 400, 0.21
 _UNDER, _PART_UNDER = 330, 0.4
 """First size of the laboratory, at the right at least and under the view at most, and its part of the window."""

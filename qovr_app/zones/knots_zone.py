@@ -38,7 +38,7 @@ from qovr_core.number_texts import knot_step
 _NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
 """The knots in the order of the paper's window: rightwards for the rows, downwards for the columns."""
 
-_LEAST_PLOT = 112
+_LEAST_PLOT = 104
 """Lower, a picture of the knots with its title says nothing: then the zones are scrolled."""
 
 
