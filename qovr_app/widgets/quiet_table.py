@@ -52,7 +52,8 @@ class QuietTable(QTableWidget):
 
     def whole_table(self) -> Rows:
         """Return the whole table in the order that is shown, its headings first."""
-        heads = [self.horizontalHeaderItem(column).text() for column in range(self.columnCount())]
+        texts = (self.horizontalHeaderItem(column).text() for column in range(self.columnCount()))
+        heads = [text.replace("\n", "") for text in texts]  # a narrow table breaks them
         body = [[self.copied_cell(row, column) for column in range(self.columnCount())] for row in self.shown_rows()]
         return body if self.horizontalHeader().isHidden() else [heads, *body]
 
