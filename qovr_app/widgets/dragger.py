@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QObject, QPointF, Qt, Signal, SignalInstance
+from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal, SignalInstance
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
 
@@ -11,6 +11,9 @@ from qovr_app.widgets.typed_number import TypedNumber
 
 DRAG_START = 3.0
 """Pixels the mouse moves before a press becomes a drag: a click selects and must not edit."""
+
+_NEW_MILLISECONDS = 1000
+"""So long after its begin a drag shows what else a hand can do."""
 
 
 class Dragger(QObject):
@@ -33,6 +36,13 @@ class Dragger(QObject):
         self._is_fine = self._has_control = False
         self._at = self._pressed_at = QPointF()
         self._typed = TypedNumber()
+        self._new = QTimer(self, singleShot=True, interval=_NEW_MILLISECONDS)
+        self._new.timeout.connect(self.changed)
+
+    @property
+    def is_new(self) -> bool:
+        """Whether a drag has only just begun."""
+        return self._new.isActive()
 
     @property
     def is_pressed(self) -> bool:
@@ -56,6 +66,7 @@ class Dragger(QObject):
             if (at - self._pressed_at).manhattanLength() < DRAG_START:
                 return
             self._gesture = next_gesture()
+            self._new.start()
             self._widget.setCursor(Qt.CursorShape.ClosedHandCursor)
             self._begin()
         self._report()

@@ -90,7 +90,8 @@ class PointDragger(Dragger):
         if held is None or not self.is_dragging:
             return None
         ways = np.empty((0, 3)) if len(self._grip.freedom.axes) == 3 else self._grip.ways
-        return DragMarks(held.indices, held.points, ways, self._grip.freedom, self._typed.text, self._is_difference)
+        typed, is_difference = self._typed.text, self._is_difference
+        return DragMarks(held.indices, held.points, ways, self._grip.freedom, typed, is_difference, self.is_new)
 
     def press(self, held: HeldPoints, at: QPointF) -> None:
         """Take hold of points."""

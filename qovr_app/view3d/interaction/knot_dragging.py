@@ -27,7 +27,7 @@ class KnotDragger(KnotHand):
         """What is seen of the drag; None where nothing moves."""
         if not (self.is_pressed and self.is_dragging):
             return None
-        return KnotMarks(self._handle.knot.place, self._handle, self.typed, is_possible=self.is_possible)
+        return KnotMarks(self._handle.knot.place, self._handle, self.typed, self.is_possible, self.is_new)
 
     def take(self, picture: Picture, size: Size, at: QPointF) -> KnotHandle | None:
         """Take hold of the knot under the mouse, and return its handle; None where there is none."""

@@ -23,7 +23,7 @@ _EDGE = 6.0
 
 @dataclass(frozen=True)
 class Words:
-    """What stands on the plate: a line, and a quiet one below it, or one in a colour."""
+    """What stands on the plate: a line, and a quiet one below it, or one in a colour; or none."""
 
     line: Runs
     below: str
@@ -36,7 +36,7 @@ def draw_beside(painter: QPainter, picture: Picture, point: Array, words: Words,
     if not math.isfinite(x):
         return
     width = max(text_size(words.line, NORMAL)[0], text_size(plain(words.below), SMALL)[0]) + 2 * _PAD
-    height = 2 * _LEADING + _PAD
+    height = (2 if words.below else 1) * _LEADING + _PAD
     right = bar_rect(size).left() - _EDGE if has_colour_bar(picture.settings, size) else size[0] - _EDGE
     left = x + _GAP if x + _GAP + width <= right else x - _GAP - width
     plate = QRectF(
@@ -46,4 +46,5 @@ def draw_beside(painter: QPainter, picture: Picture, point: Array, words: Words,
     top = plate.top() + _PAD / 2 + _LEADING / 2
     draw_text(painter, words.line, (plate.left() + _PAD, top), (0, 0.5), picture.theme.ink, pixels=NORMAL)
     quiet = words.colour or picture.theme.quiet_ink
-    draw_text(painter, plain(words.below), (plate.left() + _PAD, top + _LEADING), (0, 0.5), quiet)
+    if words.below:
+        draw_text(painter, plain(words.below), (plate.left() + _PAD, top + _LEADING), (0, 0.5), quiet)

@@ -133,7 +133,8 @@ def _draw_numbers(painter: QPainter, picture: Picture, drag: DragMarks, size: Si
     """Say beside the point where it is."""
     name, numbers = drag_text(picture, drag)
     point = picture.scene.points[drag.indices[0]]
-    draw_beside(painter, picture, point, Words((*name, (f"   {numbers}", False)), _HELP), size)
+    words = Words((*name, (f"   {numbers}", False)), _HELP if drag.is_new else "")
+    draw_beside(painter, picture, point, words, size)
 
 
 def _draw_band(painter: QPainter, band: Band, theme: Theme) -> None:

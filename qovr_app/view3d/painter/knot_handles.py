@@ -54,6 +54,7 @@ def draw_knots(painter: QPainter, picture: Picture, size: Size) -> None:
     if marks is not None and marks.begun is not None:
         handle = next((each for each in picture.knot_handles if each.knot.place == marks.place), marks.begun)
         line, below = knot_text(handle, marks), _HELP_OF_BOTH if marks.begun.knot.takes_s else _HELP
+        below = below if marks.is_new else ""
         words = Words(line, below) if marks.is_possible else Words(line, _IMPOSSIBLE, picture.theme.bad)
         draw_beside(painter, picture, picture.scene.frame.to_unit(handle.point), words, size)
 

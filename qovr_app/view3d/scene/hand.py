@@ -53,6 +53,7 @@ class DragMarks:
     freedom : what may change
     typed : the number that is being typed
     is_difference : whether what is typed is the way, and not a coordinate
+    is_new : whether the drag has only just begun
     """
 
     indices: tuple[NetIndex, ...]
@@ -61,6 +62,7 @@ class DragMarks:
     freedom: Freedom
     typed: str = ""
     is_difference: bool = False
+    is_new: bool = True
 
 
 @dataclass(frozen=True, eq=False)
@@ -73,12 +75,14 @@ class KnotMarks:
     begun : the handle as it was when the drag began; None while the mouse is only over it
     typed : the number that is being typed
     is_possible : whether that can be a knot
+    is_new : whether the drag has only just begun
     """
 
     place: KnotPlace
     begun: KnotHandle | None = None
     typed: str = ""
     is_possible: bool = True
+    is_new: bool = True
 
 
 @dataclass(frozen=True, eq=False)
