@@ -23,13 +23,13 @@ class SectionPlot(Plot):
     def show_theme(self, theme: Theme) -> None:
         super().show_theme(theme)
         for line in self.lines:
-            line.setPen(self.pen(theme.bad, 2.2))
+            line.setPen(self.pen(theme.section, 2.2))
 
     def show_section(self, plane: CuttingPlane | None, pieces: tuple[SectionCurve, ...]) -> None:
         """Draw pieces, and nothing else."""
         while len(self.lines) < len(pieces):
             self.lines.append(self.make_line())
-            self.lines[-1].setPen(self.pen(self.colours.bad, 2.2))
+            self.lines[-1].setPen(self.pen(self.colours.section, 2.2))
         for line, piece in zip_longest(self.lines, pieces):
             drawn = np.empty((0, 2)) if piece is None or plane is None else plane.drawn(piece.points)
             line.setData(drawn[:, 0], drawn[:, 1])

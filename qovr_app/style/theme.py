@@ -20,9 +20,10 @@ class Theme:
     """One set of colours.
 
     Of picture and plots: ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``point`` is a
-    control point and ``selected`` what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim`` parts
-    marks from the surface, ``undefined`` is the surface where what it shows has no value, ``comparison`` the lines of
-    another surface over it; ``series`` are five lines in one plot, by P_0..P_4 where they belong to points.
+    control point and ``selected`` what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim``
+    parts marks from the surface, ``undefined`` is the surface where what it shows has no value, ``comparison`` the
+    lines of another surface over it, ``section`` where a plane cuts it; ``series`` are five lines in one plot, by
+    P_0..P_4 where they belong to points.
 
     Of fields and marks: ``cell`` and ``edge`` are a field at rest, ``hover`` its edge under the pointer, ``idle_ink``
     writes a number without effect; ``accent`` is the keyboard's focus, ``selected`` what is selected, ``pending`` what
@@ -51,6 +52,7 @@ class Theme:
     series: tuple[Rgb, Rgb, Rgb, Rgb, Rgb]
     undefined: Rgb
     comparison: Rgb
+    section: Rgb
     cell: Rgb
     edge: Rgb
     hover: Rgb
@@ -94,6 +96,7 @@ _THEMES = {
         series=((201, 57, 43), (190, 112, 0), (20, 132, 88), (28, 100, 216), (128, 62, 178)),
         undefined=(146, 149, 155),
         comparison=(190, 24, 120),
+        section=(0, 126, 152),
         cell=(255, 255, 255),
         edge=(208, 211, 217),
         hover=(150, 156, 166),
@@ -135,6 +138,7 @@ _THEMES = {
         series=((255, 122, 108), (238, 176, 66), (74, 200, 142), (92, 157, 255), (190, 142, 245)),
         undefined=(146, 149, 155),
         comparison=(255, 120, 200),
+        section=(84, 214, 232),
         cell=(30, 32, 36),
         edge=(74, 78, 86),
         hover=(120, 126, 136),

@@ -13,7 +13,7 @@ from qovr_app.widgets.row_order import RowOrder
 RIGHT = Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter
 """Where numbers stand in a cell."""
 
-LATEX_KEYS = QKeySequence("Ctrl+Shift+L")
+LATEX_KEYS = QKeySequence("Ctrl+Alt+L")
 
 
 class QuietTable(QTableWidget):

@@ -78,7 +78,7 @@ def lines_of(picture: Picture, size: Size) -> list[Lines]:
     found += _combs(picture)
     if settings.section is not None:
         name, pieces = section_lines(scene, settings.section)
-        found += [Lines(piece[None], theme.bad, _SECTION_WIDTH, name=name) for piece in pieces]
+        found += [Lines(piece[None], theme.section, _SECTION_WIDTH, name=name) for piece in pieces]
     if len(scene.lines):
         found.append(Lines(scene.lines, theme.comparison, _COMPARISON_WIDTH, name=scene.lines_name))
     return found

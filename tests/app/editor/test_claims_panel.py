@@ -159,7 +159,7 @@ def test_rows_sort_by_a_click_on_a_heading_and_come_back(lab, spin):
 
 def test_a_table_goes_to_latex(lab, spin):
     spin(lambda: panel(lab).is_current)
-    QTest.keyClick(table(lab), Qt.Key.Key_L, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
+    QTest.keyClick(table(lab), Qt.Key.Key_L, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.AltModifier)
     text = QApplication.clipboard().text()
     center = table(lab).viewport().rect().center()
     QApplication.sendEvent(
