@@ -39,11 +39,11 @@ def assert_shows(lab, plane):
     assert f"{total:.4g}" in lab.find("laboratory.section.words", QLabel).text()
 
 
-def red_pixels(lab):
+def section_pixels(lab):
     image = lab.window.view.image()
-    red = np.array(theme_in_force().bad)
+    colour = np.array(theme_in_force().section)
     pixels = [image.pixelColor(x, y) for x in range(150, image.width(), 3) for y in range(80, image.height())]
-    return sum(np.abs(np.array(pixel.getRgb()[:3]) - red).max() < 30 for pixel in pixels)
+    return sum(np.abs(np.array(pixel.getRgb()[:3]) - colour).max() < 30 for pixel in pixels)
 
 
 def test_it_cuts_where_it_is_told_and_follows_the_document(lab):
@@ -91,6 +91,6 @@ def test_two_selected_points_carry_the_plane_and_its_points_are_copied(lab):
 
 
 def test_it_is_in_the_view_while_the_panel_is_shown(lab):
-    assert red_pixels(lab) > 20
+    assert section_pixels(lab) > 20
     lab.trigger("laboratory_section")
-    assert red_pixels(lab) == 0
+    assert section_pixels(lab) == 0
