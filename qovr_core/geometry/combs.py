@@ -19,7 +19,7 @@ import numpy.typing as npt
 from qovr_core.arrays import Array, Flags, Indices, read_only
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.patch import Patch
-from qovr_core.geometry.rounding import ROUNDING
+from qovr_core.geometry.rounding import ROUNDING, own_unit
 from qovr_core.geometry.weights import CURVE_DEGREE
 
 ISOLINES = 9
@@ -62,6 +62,7 @@ def comb(curve: npt.ArrayLike, u: npt.ArrayLike) -> Comb:
     return Comb(read_only(feet), read_only(curvature_vectors(first, second)))
 
 
+@np.errstate(under="ignore")  # what underflows is nothing
 def comb_changes(curves: npt.ArrayLike) -> Array:
     """Return the sum of comb changes of curves.
 
@@ -73,7 +74,9 @@ def comb_changes(curves: npt.ArrayLike) -> Array:
     -------
     (k,) float64, in 1 / length; inf where a curve stops, as in a cusp, or is a single point
     """
-    derivatives = _derivatives(np.asarray(curves, dtype=np.float64))
+    given = np.asarray(curves, dtype=np.float64)
+    unit = own_unit(np.abs(given - given[:, :1]).max(axis=(1, 2)))
+    derivatives = _derivatives(given / unit[:, None, None])
     bases = [bernstein.basis(each.shape[-2] - 1, _LOOKED_AT) for each in derivatives]
     rows = [basis @ each for basis, each in zip(bases, derivatives, strict=True)]
     turning = _turning(*rows[1:])
@@ -84,12 +87,12 @@ def comb_changes(curves: npt.ArrayLike) -> Array:
     at_steps = _curvature(rows[1], rows[2], straight[:, None], still[:, None])
     first, second = _at(derivatives[1:3], curve, places)
     at_extrema = _curvature(first, second, straight[curve], still[curve])
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", over="ignore"):
         changes = [
             np.abs(np.diff(np.insert(along, step[curve == k] + 1, at_extrema[curve == k]))).sum()
             for k, along in enumerate(at_steps)
         ]
-    return read_only(np.where(np.isfinite(changes), changes, np.inf))
+        return read_only(np.where(np.isfinite(changes), changes / unit, np.inf))
 
 
 def isolines(patch: Patch, count: int = ISOLINES) -> tuple[Array, Array]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from qovr_core.arrays import Array
 from qovr_core.geometry.differential import ParametricSurface
@@ -37,6 +38,11 @@ def part_of(value: float, whole: float) -> float:
     return value / (whole or 1.0)
 
 
+def own_unit(size: npt.ArrayLike) -> Array:
+    """Return the units, powers of two by which nothing is rounded, in which sizes are about 1; for 0 it is 1."""
+    return np.asarray(np.ldexp(1.0, np.clip(np.frexp(size)[1], -_MOST_PLACES, _MOST_PLACES)))
+
+
 def in_own_unit(surface: ParametricSurface, *, beside: float = 0.0) -> tuple[ParametricSurface, float]:
     """Return a surface in a unit in which it is about 1, so that no product of its derivatives overflows.
 
@@ -49,5 +55,5 @@ def in_own_unit(surface: ParametricSurface, *, beside: float = 0.0) -> tuple[Par
     the surface, and the unit: a power of two, so that nothing is rounded
     """
     size = max(largest(surface.points(_SIZED_AT, _SIZED_AT)), beside / _LARGEST_BESIDE)
-    unit = float(np.ldexp(1.0, np.clip(np.frexp(size)[1], -_MOST_PLACES, _MOST_PLACES)))
+    unit = float(own_unit(size))
     return surface.transformed(np.diag([1 / unit, 1 / unit, 1 / unit, 1.0])), unit
