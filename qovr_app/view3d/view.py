@@ -68,9 +68,9 @@ class View3D(QWidget):
         super().__init__(parent)
         self._shown, self._scenes = Shown(), Scenes()
         self._refinement = Refinement(self)
-        self._refinement.changed.connect(self._show)
+        self._refinement.rested.connect(self._show)
         self.camera_motion = CameraMotion(self._fitted, self)
-        self.camera_motion.moved.connect(self._refinement.move)
+        self.camera_motion.moved.connect(lambda: self._show(moving=True))
         self._pointer = Pointer(self.picture, self)
         self._pointer.moved.connect(self._show)
         self._pointer.view_asked.connect(self.set_camera)
@@ -139,7 +139,7 @@ class View3D(QWidget):
         if before.settings != shown.settings or before.comparison != shown.comparison:
             self._lay_out()
         if before.evaluation is not shown.evaluation or before.net is not shown.net or before.dragging > shown.dragging:
-            self._refinement.move()
+            self._show(moving=True)
         elif shown.differs_visibly(before):
             self._show()
 
@@ -170,7 +170,7 @@ class View3D(QWidget):
             self.camera_motion.lead_to(looking_at(self.camera, picture.scene.points[i, j]), animated=is_animated)
             return
         self._scenes.take_limits()
-        self._refinement.move()
+        self._show(moving=True)
         self.camera_motion.lead(self.camera, animated=is_animated)
 
     def _fitted(self, camera: Camera) -> Camera:
@@ -236,7 +236,9 @@ class View3D(QWidget):
             dragger.finished.connect(self.drag_finished)
             dragger.cancelled.connect(self.drag_cancelled)
 
-    def _show(self) -> None:
-        """Show the present state in the next frame."""
+    def _show(self, *, moving: bool = False) -> None:
+        """Show the present state in the next frame; what moves is drawn on the coarser grid until nothing does."""
+        if moving:
+            self._refinement.move()
         self._pointer.read_off(self.viewports)
         self._viewports.show()

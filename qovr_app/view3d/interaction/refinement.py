@@ -9,9 +9,9 @@ _REST_MILLISECONDS = 150
 
 
 class Refinement(QObject):
-    """Knows whether something moves; ``changed`` at every move, and when all has come to rest."""
+    """Knows whether something moves; ``rested`` when all has come to rest."""
 
-    changed = Signal()
+    rested = Signal()
 
     def __init__(self, parent: QObject) -> None:
         super().__init__(parent)
@@ -30,9 +30,8 @@ class Refinement(QObject):
         """Note that something has moved."""
         self._is_moving = True
         self._pause.start()
-        self.changed.emit()
 
     def rest(self) -> None:
         """Take everything for being at rest now."""
         self._is_moving = False
-        self.changed.emit()
+        self.rested.emit()
