@@ -190,8 +190,10 @@ def test_settings_are_remembered(make_editor, home):
     first = make_editor(size=(1300, 760))
     first.trigger("style_wireframe")
     first.trigger("show_labels")
-    first.window.parts.setSizes([500, 800])
+    usual = first.window.parts.sizes()
+    first.drag_handle("workspace", 60)
     sizes = first.window.parts.sizes()
+    assert sizes != usual
     first.window.close()
     second = make_editor(size=(1300, 760))
     assert second.action("style_wireframe").isChecked()

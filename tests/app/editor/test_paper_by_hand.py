@@ -2,8 +2,6 @@
 
 import numpy as np
 import pytest
-from PySide6.QtCore import Qt
-from PySide6.QtTest import QTest
 
 from qovr_core import configure
 from qovr_core.edits import value_at
@@ -82,7 +80,7 @@ def test_setting_a_text_without_any_key_is_set_as_well(staged):
     """Other programs fill fields in one go and press Set."""
     for place in ROW_FIELDS:
         staged.field(name_of(place)).setText("0.25")
-    QTest.mouseClick(staged.find("row_knots.set"), Qt.MouseButton.LeftButton)
+    staged.click("row_knots.set")
     assert {value for knots in staged.document.row_knots for value in knots} == {0.25}
     staged.settle()
     assert staged.disagreements() == []
