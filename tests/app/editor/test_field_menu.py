@@ -82,7 +82,7 @@ def test_the_slider_has_the_menu_of_its_knot(editor):
 def open_menu(editor, name, reason=QContextMenuEvent.Reason.Mouse):
     field = editor.field(name)
     if reason is QContextMenuEvent.Reason.Mouse:
-        QTest.mousePress(field, Qt.MouseButton.RightButton)
+        QTest.mouseClick(field, Qt.MouseButton.RightButton)
     else:
         field.setFocus()
     at = field.rect().center()

@@ -140,7 +140,7 @@ def test_a_drag_that_is_given_up_puts_all_back_and_waits_for_the_release(editor,
     if end == "escape":
         QTest.keyClick(plot, Qt.Key.Key_Escape)
     elif end == "right button":
-        QTest.mousePress(plot, RIGHT, NONE, at)
+        QTest.mouseClick(plot, RIGHT, NONE, at)
     else:
         QApplication.sendEvent(plot, QFocusEvent(QEvent.Type.FocusOut, Qt.FocusReason.ActiveWindowFocusReason))
     editor.settle()
