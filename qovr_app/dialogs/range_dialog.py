@@ -6,7 +6,7 @@ import math
 
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
-from qovr_app.dialogs.buttons import without_icons
+from qovr_app.dialogs.buttons import allow, without_icons
 from qovr_app.state.typed_numbers import typed_value
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.plain import plain_label
@@ -66,13 +66,7 @@ class RangeDialog(QDialog):
 
     def _check(self) -> None:
         """Say what is wrong with the fields, and let nothing wrong be accepted."""
-        reason = ""
-        try:
-            _ = self.limits
-        except QovrError as error:
-            reason = f"{error}."
-        self._note.setText(reason)
-        self._ok.setEnabled(not reason)
+        allow(self._ok, self._note, lambda: self.limits)
 
 
 def _checked_end(value: object, name: str) -> float:

@@ -7,13 +7,13 @@ from typing import Any
 
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QFormLayout, QLineEdit, QWidget
 
-from qovr_app.dialogs.buttons import without_icons
+from qovr_app.dialogs.buttons import allow, without_icons
 from qovr_app.state.display import Underlay
 from qovr_app.state.tools import checked_size
 from qovr_app.state.typed_numbers import typed_value
 from qovr_app.widgets.parts import named
 from qovr_app.widgets.plain import plain_label
-from qovr_core import DocumentError, QovrError
+from qovr_core import DocumentError
 from qovr_core.checks import checked_number, described
 from qovr_core.number_texts import number_text
 
@@ -74,13 +74,7 @@ class UnderlayDialog(QDialog):
 
     def _check(self) -> None:
         """Say what is wrong with the fields, and let nothing wrong be accepted."""
-        reason = ""
-        try:
-            _ = self.underlay
-        except QovrError as error:
-            reason = f"{error}."
-        self._note.setText(reason)
-        self._ok.setEnabled(not reason)
+        allow(self._ok, self._note, lambda: self.underlay)
 
 
 def _checked_opacity(value: object, name: str) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal, SignalInstance
 from PySide6.QtGui import QKeyEvent
 from PySide6.QtWidgets import QWidget
@@ -45,9 +47,9 @@ class Dragger(QObject):
         return self._new.isActive()
 
     @property
+    @abstractmethod
     def is_pressed(self) -> bool:
         """Whether the mouse holds something."""
-        raise NotImplementedError
 
     @property
     def is_dragging(self) -> bool:
@@ -117,13 +119,14 @@ class Dragger(QObject):
     def _begin(self) -> None:
         """Say that a drag begins."""
 
+    @abstractmethod
     def _take_again(self) -> None:
         """Go on from where things are now: with another fineness the mouse's way means another."""
-        raise NotImplementedError
 
+    @abstractmethod
     def _let_go(self) -> None:
-        raise NotImplementedError
+        """Hold nothing any more."""
 
+    @abstractmethod
     def _report(self) -> None:
         """Say where things belong now."""
-        raise NotImplementedError

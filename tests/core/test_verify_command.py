@@ -15,17 +15,10 @@ from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.verify import Verdict, verify
 from support.command import qovr, refused
 from support.documents import random_document
+from support.verdicts import HERE
 
 README = Path(__file__).resolve().parents[2] / "README.md"
 LONGEST_SECONDS = 2.0
-
-HERE = {
-    ("true", True): "as claimed",
-    ("true if", True): "as claimed",
-    ("true if", False): "not as claimed",
-    ("false", True): "not refuted",
-    ("false", False): "refuted",
-}
 
 
 def no_constant(text):

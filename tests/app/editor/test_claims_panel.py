@@ -17,15 +17,7 @@ from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.verify import verify
-
-HERE = {
-    ("true", True): "as claimed",
-    ("true if", True): "as claimed",
-    ("true if", False): "not as claimed",
-    ("false", True): "not refuted",
-    ("false", False): "refuted",
-}
-"""How a document stands to a verdict; no other pair can be, so that no line contradicts the one above it."""
+from support.verdicts import HERE
 
 
 @pytest.fixture
