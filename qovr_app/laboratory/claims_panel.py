@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable, statement
+from qovr_app.laboratory.claims_table import ClaimsTable, marked_verdict, statement
 from qovr_app.laboratory.panel import WorkingPanel
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.requests import DocumentAsked
@@ -27,13 +27,20 @@ from qovr_core import FORMULATIONS, Document, QovrError
 from qovr_core.laboratory.claims import CLAIMS
 from qovr_core.laboratory.claims_report import standing
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.laboratory.verify import Finding, verify
+from qovr_core.laboratory.verify import Finding, Ground, verify
 from qovr_core.number_texts import short_text
 
 _WIDE = 900
 """From this width on what is behind a verdict stands beside the table, else below it: statements are never cut."""
 
 _SHARES = (300, 90)
+
+_NO_COUNTEREXAMPLE = {
+    Ground.PROVED: "the claim is proved",
+    Ground.TRIALS: "the claim holds on everything that was tried",
+    Ground.DOCUMENT: "the claim holds on this document",
+}
+"""By how a claim that is not false is known."""
 
 Shown = Callable[[Finding], Document | None]
 """Which document of a finding a button opens."""
@@ -154,7 +161,9 @@ class ClaimsPanel(WorkingPanel):
             if not button.isHidden():
                 button.click()
                 return
-        self.tell("There is no counterexample: the claim holds on everything that was tried.")
+        finding = self._table.current_finding()
+        if finding is not None:
+            self.tell(f"There is no counterexample: {_NO_COUNTEREXAMPLE[finding.ground]}.")
 
     def _open(self, kind: str, shown_by: Shown) -> None:
         finding = self._table.current_finding()
@@ -204,12 +213,20 @@ def _details_html(finding: Finding) -> str:
     measured, value = here.what[0].upper() + here.what[1:], short_text(here.value)
     paragraphs = [
         f"{_rich(statement(claim))} <b>{_rich(claim.name)}</b>, {_rich(claim.where)}.",
-        f"For {_rich(str(finding.formulation))}: <b>{MARKS[finding.verdict]} {finding.verdict}</b>{condition}.",
+        f"For {_rich(str(finding.formulation))}: <b>{marked_verdict(finding)}</b>{condition}.",
+        _ground_html(finding),
         standing(finding.verdict, here).sentence,
         f"{_rich(measured)}: <b>{value}</b> here, {short_text(finding.largest)} at most in all trials.",
         f"Found: {_rich(here.note)}." if here.note else "",
     ]
     return "".join(f'<p style="margin: 0 0 {SPACE}px 0">{text}</p>' for text in paragraphs if text)
+
+
+def _ground_html(finding: Finding) -> str:
+    """Return how a verdict is known, where it is not by trials alone."""
+    if finding.proof:
+        return f"Proved in exact arithmetic: {_rich(finding.proof)}."
+    return "" if finding.ground is Ground.TRIALS else f"{str(finding.ground).capitalize()}."
 
 
 def _rich(text: str) -> str:

@@ -12,11 +12,12 @@ from qovr_app.widgets.quiet_table import QuietTable
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS, Claim
 from qovr_core.laboratory.claims_report import standing
-from qovr_core.laboratory.verify import Finding, Verdict
+from qovr_core.laboratory.verify import Finding, Ground, Verdict
 from qovr_core.number_texts import short_text
 
-MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
-"""Read without colour: a tick, a half, a cross."""
+_MARKS = {Verdict.TRUE: "✓", Verdict.TRUE_IF: "◐", Verdict.FALSE: "✗"}
+_UNDECIDED = "○"
+"""Read without colour: a tick, a half, a cross, and a ring for what is only not refuted."""
 
 _FINDING = Qt.ItemDataRole.UserRole + 2
 
@@ -24,9 +25,18 @@ _SHARE = 5
 """A column of verdicts takes this part of the table's width, the statements the rest."""
 
 _WIDEST_VERDICT, _LEAST_STATEMENT = 220, 110
+_WRITTEN = (Ground.PROVED, Ground.DOCUMENT)
+"""Grounds that stand in a cell; a counterexample can be opened, and trials are in the verdict's words."""
+
 _STYLES = {Verdict.TRUE: Style.TRUE, Verdict.TRUE_IF: Style.TRUE_IF, Verdict.FALSE: Style.FALSE}
 _SORTED = {Verdict.FALSE: 0.0, Verdict.TRUE_IF: 1.0, Verdict.TRUE: 2.0}
-"""False claims first: they are what one looks for."""
+_DOUBT = 0.5
+"""False claims first: they are what one looks for. What is only not refuted comes before what is proved."""
+
+
+def marked_verdict(finding: Finding) -> str:
+    """Return a verdict in words, with its mark."""
+    return f"{_UNDECIDED if finding.ground is Ground.TRIALS else _MARKS[finding.verdict]} {finding.words}"
 
 
 def statement(claim: Claim) -> str:
@@ -77,8 +87,9 @@ class ClaimsTable(QuietTable):
         item = self.item(self._claims.index(finding.claim), 1 + self._formulations.index(finding.formulation))
         verdict, here = _verdict_text(finding), _here_text(finding)
         condition = [(finding.condition, Style.SMALL)] if finding.condition else []
-        word = f"{MARKS[finding.verdict]} {finding.verdict}", _STYLES[finding.verdict]
-        item.setData(BLOCKS, [word, *condition, (here, Style.QUIET)])
+        ground = [(str(finding.ground), Style.SMALL)] if finding.ground in _WRITTEN else []
+        word = marked_verdict(finding), _STYLES[finding.verdict]
+        item.setData(BLOCKS, [word, *condition, *ground, (here, Style.QUIET)])
         item.setData(IS_OLD, False)
         item.setData(_FINDING, finding)
         spoken = f"{finding.claim.name}, {finding.formulation}: {verdict}; {here}"
@@ -114,7 +125,9 @@ class ClaimsTable(QuietTable):
         if not column:
             return self._claims[row].text
         finding = self.item(row, column).data(_FINDING)
-        return _SORTED[finding.verdict] if isinstance(finding, Finding) else None
+        if not isinstance(finding, Finding):
+            return None
+        return _SORTED[finding.verdict] - _DOUBT * (finding.ground is Ground.TRIALS)
 
     def fit_rows(self) -> None:
         """Give every row the height that its texts need."""
@@ -159,7 +172,8 @@ class ClaimsTable(QuietTable):
 
 
 def _verdict_text(finding: Finding) -> str:
-    return f"{finding.verdict} {finding.condition}".strip()
+    verdict = f"{finding.words} {finding.condition}".strip()
+    return verdict if finding.ground is Ground.TRIALS else f"{verdict}, {finding.ground}"
 
 
 def _here_text(finding: Finding) -> str:

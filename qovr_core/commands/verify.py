@@ -79,6 +79,9 @@ def _claims_json(findings: Sequence[Finding]) -> list[dict[str, Any]]:
 def _finding_json(finding: Finding) -> dict[str, Any]:
     return {
         "verdict": str(finding.verdict),
+        "known": str(finding.ground),
+        "proof": finding.proof or None,
+        "trials": finding.trials,
         "condition": finding.condition or None,
         "holds_here": finding.here.holds,
         "value": finite(finding.here.value),

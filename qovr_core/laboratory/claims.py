@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import ClassVar
 
 from qovr_core.document import Document
-from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
+from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, proofs, shape_claims
 from qovr_core.laboratory.measurement import Condition, Measurement
+from qovr_core.laboratory.proofs import Proofs
 from qovr_core.registry import Record, Registry
 
 
@@ -31,6 +32,7 @@ class Claim(Record):
     parts_condition : for a claim about the knots of single curves, the condition with ``{parts}`` for the curves
     examples : documents made from one that are tried too, such as meet the condition and such as do not
     is_general : whether it speaks of all surfaces; if not, it is decided by the document alone
+    proofs : by formulation, why it is true, under its condition if it has one
     """
 
     name: str
@@ -41,6 +43,7 @@ class Claim(Record):
     parts_condition: str = ""
     examples: Callable[[Document], Sequence[Document]] = _no_examples
     is_general: bool = True
+    proofs: Proofs = field(default_factory=dict)
 
     table: ClassVar[Registry[Claim]]
 
@@ -54,7 +57,13 @@ CLAIMS = Claim.table = Registry[Claim]("claim")
 """Every claim, in the paper's order."""
 
 for _claim in (
-    Claim("inverse", "M times M^-1 is the identity", "(14)-(17), (21), (22)", curve_claims.inverse),
+    Claim(
+        "inverse",
+        "M times M^-1 is the identity",
+        "(14)-(17), (21), (22)",
+        curve_claims.inverse,
+        proofs=proofs.INVERSE,
+    ),
     Claim(
         "unity",
         "the weights of a curve sum to 1",
@@ -62,6 +71,7 @@ for _claim in (
         curve_claims.unity,
         condition=curve_claims.KERNELS_HOLD,
         examples=curve_claims.kernel_examples,
+        proofs=proofs.UNITY,
     ),
     Claim(
         "quartic",
@@ -70,6 +80,7 @@ for _claim in (
         curve_claims.quartic,
         condition=curve_claims.S_IS_U,
         examples=curve_claims.degree_examples,
+        proofs=proofs.QUARTIC,
     ),
     Claim("ends", "the weights are [0 0 1 0 0] at both ends of a curve", "(46), (48)", curve_claims.ends),
     Claim(
@@ -84,7 +95,7 @@ for _claim in (
         "(55), (57)",
         curve_claims.curvatures,
     ),
-    Claim("C0", "neighbouring patches meet without a gap", "Lemma 1, (45)", joint_claims.c0),
+    Claim("C0", "neighbouring patches meet without a gap", "Lemma 1, (45)", joint_claims.c0, proofs=proofs.C0),
     Claim(
         "C1",
         "the tangents of neighbouring patches agree across the joint",
@@ -92,12 +103,14 @@ for _claim in (
         joint_claims.c1,
         condition=joint_claims.KNOTS_CROSS_ALIKE,
         examples=joint_claims.crossing_examples,
+        proofs=proofs.C1,
     ),
     Claim(
         "C2",
         "the second derivatives of neighbouring patches do not agree across the joint",
         "Theorem 1, (60)",
         joint_claims.c2,
+        proofs=proofs.C2,
     ),
     Claim(
         "edges",
@@ -105,6 +118,7 @@ for _claim in (
         "abstract, 5.2",
         knot_claims.edges,
         parts_condition=knot_claims.EDGES_KEPT_BY,
+        proofs=proofs.EDGES,
     ),
     Claim(
         "edges'",
@@ -113,6 +127,7 @@ for _claim in (
         knot_claims.edges_transformed,
         parts_condition=knot_claims.EDGES_KEPT_AFTER_T,
         examples=knot_claims.box_examples,
+        proofs=proofs.EDGES_TRANSFORMED,
     ),
     Claim(
         "local",
@@ -127,6 +142,7 @@ for _claim in (
         shape_claims.symmetry,
         condition=shape_claims.ROW_4_SYMMETRIC,
         examples=shape_claims.symmetry_examples,
+        proofs=proofs.SYMMETRY,
     ),
     Claim(
         "boxes",
@@ -134,6 +150,7 @@ for _claim in (
         "(61)-(65), 5.1",
         shape_claims.boxes,
         condition=shape_claims.RAW_HAS_EXTENT,
+        proofs=proofs.BOXES,
     ),
     Claim("fairness", "there are no wave-like artifacts", "abstract, 5.3", fairness.fairness, is_general=False),
 ):

@@ -11,9 +11,10 @@ from typing import NamedTuple
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.laboratory.claims import Claim
 from qovr_core.laboratory.measurement import Measurement
-from qovr_core.laboratory.verify import Finding, Verdict
+from qovr_core.laboratory.verify import Finding, Ground, Verdict
 
 _WIDTH = 110
+_VERDICT = 28
 _INDENT = " " * 17
 
 
@@ -51,13 +52,15 @@ def by_claim(findings: Iterable[Finding]) -> Iterator[tuple[Claim, list[Finding]
 
 def findings_text(findings: Iterable[Finding]) -> str:
     """Return the findings as one block a claim."""
-    lines = [f"{'':15}  {'verdict':<9}{'here':<15}{'measured':>10}{'largest':>10}   (largest: over all trials)"]
+    lines = [
+        f"{'':15}  {'verdict':<{_VERDICT}}{'here':<15}{'measured':>10}{'largest':>10}   (largest: over all trials)"
+    ]
     for claim, of_claim in by_claim(findings):
         lines += ["", f"{claim.name}: {claim.text}, {claim.where}", f"  {of_claim[0].here.what}"]
         for finding in of_claim:
             here = standing(finding.verdict, finding.here).words
             numbers = "".join(f"{value:>10.3g}" if isfinite(value) else f"{'-':>10}" for value in _values(finding))
-            lines += [f"  {finding.formulation:<15}{finding.verdict:<9}{here:<15}{numbers}", *_details(finding)]
+            lines += [f"  {finding.formulation:<15}{finding.words:<{_VERDICT}}{here:<15}{numbers}", *_details(finding)]
     return "\n".join(lines)
 
 
@@ -66,10 +69,14 @@ def _values(finding: Finding) -> tuple[float, float]:
 
 
 def _details(finding: Finding) -> Iterator[str]:
-    """Yield the lines below a finding: its condition, what was found, where the counterexample comes from."""
+    """Yield the lines below a finding: its condition, how it is known, what was found."""
     texts = [f"if {finding.condition}"] if finding.condition else []
+    if finding.proof:
+        texts.append(f"{finding.ground}: {finding.proof}")
+    if finding.ground is Ground.DOCUMENT:
+        texts.append(finding.ground)
     texts += [finding.here.note] if finding.here.note else []
-    if finding.counterexample is not None:
+    if finding.counterexample is not None and finding.ground is Ground.COUNTEREXAMPLE:
         texts.append(f"counterexample: {'this document' if not finding.here.holds else 'one of the trials'}")
     for text in texts:
         yield from textwrap.wrap(text, _WIDTH, initial_indent=_INDENT, subsequent_indent=_INDENT + "  ")
@@ -89,9 +96,11 @@ def findings_markdown(findings: Iterable[Finding]) -> str:
 
 
 def _cell(finding: Finding) -> str:
-    verdict = f"**{finding.verdict}**"
-    if finding.verdict is Verdict.TRUE_IF:
-        return f"{verdict} {finding.condition}"
+    verdict = f"**{finding.words}**"
+    if finding.condition:
+        verdict += f" {finding.condition}"
+    if finding.ground is not Ground.TRIALS:
+        verdict += f"{';' if finding.condition else ','} {finding.ground}"
     if finding.verdict is Verdict.FALSE:
         failing = finding.largest if finding.here.holds else finding.here.value
         verdict += f" ({failing:.2g})"

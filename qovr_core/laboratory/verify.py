@@ -1,4 +1,4 @@
-"""What computation says of the paper's claims: verdicts from trials, never written down."""
+"""What computation says of the paper's claims: verdicts from trials and exact proofs, never written down."""
 
 from __future__ import annotations
 
@@ -31,15 +31,27 @@ class Verdict(StrEnum):
     FALSE = "false"
 
 
+class Ground(StrEnum):
+    """How a verdict is known."""
+
+    PROVED = "proved"
+    COUNTEREXAMPLE = "by counterexample"
+    DOCUMENT = "decided for this document"
+    TRIALS = "not refuted"
+
+
 @dataclass(frozen=True, eq=False)
 class Finding:
-    """The verdict on one claim for one formulation, and how one document stands.
+    """The verdict on one claim for one formulation, how it is known, and how one document stands.
 
     Parameters
     ----------
     claim, formulation : what was decided
     verdict : on the claim in general, from all trials
+    ground : how it is known
     condition : where the verdict is ``true if``, under what
+    proof : where it is proved, what was
+    trials : how many documents were tried, of those that meet the condition
     here : what the claim comes to on the document
     largest : the largest value of all trials
     counterexample : where the verdict is ``false``, a document on which the claim fails
@@ -48,10 +60,21 @@ class Finding:
     claim: Claim
     formulation: Formulation
     verdict: Verdict
+    ground: Ground
     condition: str
+    proof: str
+    trials: int
     here: Measurement
     largest: float
     counterexample: Document | None
+
+    @property
+    def words(self) -> str:
+        """The verdict in words: of what only trials support no one can say that it is true."""
+        if self.ground is not Ground.TRIALS:
+            return str(self.verdict)
+        documents = "1 trial" if self.trials == 1 else f"{self.trials} trials"
+        return f"{self.ground} by {documents}{' if' * (self.verdict is Verdict.TRUE_IF)}"
 
     @property
     def example(self) -> Document | None:
@@ -100,7 +123,8 @@ def decide(claim: Claim, document: Document, formulation: Formulation) -> Findin
     The trials are the document under that formulation, the claim's examples made from it, random documents from a
     stated seed, and the examples made from the first of these. A claim that holds on all of them is true. If it
     holds on all that meet its condition, some do, and one that does not meet it fails, it is true under that
-    condition. Else it is false, and the first trial on which it fails is the counterexample.
+    condition. Else it is false, and the first trial on which it fails is the counterexample. What is true and has a
+    proof that holds is proved.
 
     Raises
     ------
@@ -139,30 +163,56 @@ _remembered_trials = cache(_made_trials)
 
 def _finding(claim: Claim, formulation: Formulation, trials: list[_Trial]) -> Finding:
     failing = [trial for trial in trials if not trial.measured.holds]
-    condition = _condition_met(claim, trials) if failing else ""
-    verdict = Verdict.TRUE if not failing else Verdict.TRUE_IF if condition else Verdict.FALSE
+    support = _support(claim, trials) if failing else _Support("", len(trials))
+    verdict = Verdict.TRUE if not failing else Verdict.TRUE_IF if support.condition else Verdict.FALSE
+    proof = _proof(claim, formulation, support) if verdict is not Verdict.FALSE else ""
     return Finding(
         claim=claim,
         formulation=formulation,
         verdict=verdict,
-        condition=condition,
+        ground=_ground(claim, verdict, proof),
+        condition=support.condition,
+        proof=proof,
+        trials=support.trials,
         here=trials[0].measured,
         largest=max(trial.measured.value for trial in trials),
         counterexample=failing[0].shown if verdict is Verdict.FALSE else None,
     )
 
 
-def _condition_met(claim: Claim, trials: list[_Trial]) -> str:
-    """Return the condition under which a claim that fails somewhere is true; empty where there is none."""
+def _ground(claim: Claim, verdict: Verdict, proof: str) -> Ground:
+    if not claim.is_general:
+        return Ground.DOCUMENT
+    if verdict is Verdict.FALSE:
+        return Ground.COUNTEREXAMPLE
+    return Ground.PROVED if proof else Ground.TRIALS
+
+
+def _proof(claim: Claim, formulation: Formulation, support: _Support) -> str:
+    """Return what is proved of a claim, for all its parts; empty where nothing is."""
+    proof = claim.proofs.get(formulation)
+    return proof.statement if proof is not None and proof.parts >= support.parts and proof.holds() else ""
+
+
+@dataclass(frozen=True)
+class _Support:
+    """Under what condition trials support a claim, empty for none, how many do, and of which parts it speaks."""
+
+    condition: str
+    trials: int
+    parts: frozenset[str] = frozenset()
+
+
+def _support(claim: Claim, trials: list[_Trial]) -> _Support:
+    """Return how trials support a claim that fails on some: where there is no condition, it is false."""
     if claim.parts_condition:
         kept = _parts_kept(trials)
-        return claim.parts_condition.format(parts=", ".join(kept)) if kept else ""
+        condition = claim.parts_condition.format(parts=", ".join(kept)) if kept else ""
+        return _Support(condition, len(trials), frozenset(kept))
     if claim.condition is None:
-        return ""
-    meets = [claim.condition.is_met(trial.document) for trial in trials]
-    holds = [trial.measured.holds for trial in trials]
-    sufficient = any(meets) and all(held for held, met in zip(holds, meets, strict=True) if met)
-    return claim.condition.text if sufficient else ""
+        return _Support("", len(trials))
+    held = [trial.measured.holds for trial in trials if claim.condition.is_met(trial.document)]
+    return _Support(claim.condition.text if held and all(held) else "", len(held))
 
 
 def _parts_kept(trials: list[_Trial]) -> list[str]:

@@ -17,9 +17,10 @@ from qovr_core.laboratory.claims import CLAIMS, Claim
 from qovr_core.laboratory.claims_report import findings_markdown, findings_text
 from qovr_core.laboratory.measurement import Condition, Measurement
 from qovr_core.laboratory.neighbours import Across, Continuation, joints
+from qovr_core.laboratory.proofs import Proof
 from qovr_core.laboratory.splines import catmull_rom
 from qovr_core.laboratory.trials import SAMPLES
-from qovr_core.laboratory.verify import Verdict, decide, verify
+from qovr_core.laboratory.verify import Ground, Verdict, decide, verify
 from qovr_core.presets import preset
 from support.documents import knots, random_document, random_net, seeds
 
@@ -84,7 +85,9 @@ def test_the_verdicts_are_those_of_the_table(name):
     assert verdicts == EXPECTED
     assert found["edges", INTERPOLATING].condition == f"the knot belongs to {KEEPS_EDGES}"
     assert found["edges'", INTERPOLATING].condition.startswith(f"the knot belongs to {KEEPS_EDGES}, and the box")
-    for (_, formulation), finding in found.items():
+    for (claim, formulation), finding in found.items():
+        assert finding.ground is expected_ground(claim, formulation, finding.verdict)
+        assert bool(finding.proof) == (finding.ground is Ground.PROVED)
         assert (finding.verdict is TRUE_IF) == bool(finding.condition)
         assert (finding.verdict is FALSE) == (finding.counterexample is not None)
         if finding.counterexample is not None:
@@ -92,6 +95,14 @@ def test_the_verdicts_are_those_of_the_table(name):
             assert not finding.claim.measure(finding.counterexample).holds
             if not finding.here.holds:
                 assert finding.counterexample == replace(document, formulation=formulation)
+
+
+def expected_ground(claim, formulation, verdict):
+    if claim == "fairness":
+        return Ground.DOCUMENT
+    if verdict is FALSE:
+        return Ground.COUNTEREXAMPLE
+    return Ground.TRIALS if (claim, formulation) == ("C2", PUBLISHED) else Ground.PROVED
 
 
 def test_the_verdicts_do_not_depend_on_the_net_s_size_or_place():
@@ -129,7 +140,9 @@ def test_a_claim_from_outside_is_decided_by_its_record():
         findings = verify(random_document(6))
         assert [(finding.claim, finding.verdict) for finding in findings[-3:]] == [(claim, TRUE)] * 3
         assert findings_text(findings).splitlines()[-4:-3] == ["  rows"]
-        assert findings_markdown(findings).splitlines()[-1].startswith(f"| {text} | 5.1 | **true** |")
+        assert (
+            findings_markdown(findings).splitlines()[-1].startswith(f"| {text} | 5.1 | **not refuted by 3 trials** |")
+        )
     assert all(finding.claim != claim for finding in verify(random_document(6)))
 
 
@@ -159,6 +172,42 @@ def test_a_verdict_needs_trials_that_meet_the_condition_and_trials_that_do_not()
         finding = decide(claim, document, document.formulation)
         assert (finding.verdict, finding.condition) == (verdict, text)
         assert finding.counterexample == (document if verdict is FALSE else None)
+        assert finding.ground is (Ground.COUNTEREXAMPLE if verdict is FALSE else Ground.TRIALS)
+
+
+def test_what_only_trials_support_says_how_many_there_were():
+    measured = []
+
+    def measure(document):
+        measured.append(document)
+        return Measurement(0.0, "", holds=True)
+
+    document = random_document(1, samples=(9, 9))
+    wide = tuple(replace(document, samples=(99, k)) for k in range(9, 12))
+    finding = decide(Claim("x", "", "", measure, examples=lambda _: wide), document, INTERPOLATING)
+    assert (finding.trials, finding.words) == (len(measured), f"not refuted by {len(measured)} trials")
+    condition = Condition("it is wide", is_wide)
+    of_wide = claim_that(is_wide, condition=condition, examples=lambda _: wide)
+    finding = decide(of_wide, document, INTERPOLATING)
+    assert finding.trials == 2 * len(wide)  # made from the document, and from the first random one
+    assert finding.words == f"not refuted by {finding.trials} trials if"
+
+
+def test_a_proof_counts_only_where_it_holds_and_speaks_of_all_that_is_claimed():
+    document = random_document(1)
+    held, refuted = Proof("so it is", (lambda: True,)), Proof("so it is", (lambda: True, lambda: False))
+    for proof, ground in ((held, Ground.PROVED), (refuted, Ground.TRIALS)):
+        finding = decide(claim_that(lambda _: True, proofs={INTERPOLATING: proof}), document, INTERPOLATING)
+        assert (finding.ground, finding.proof) == (ground, "so it is" if proof is held else "")
+        finding = decide(claim_that(lambda _: True, proofs={INTERPOLATING: proof}), document, PUBLISHED)
+        assert finding.ground is Ground.TRIALS
+        finding = decide(claim_that(lambda _: False, proofs={INTERPOLATING: proof}), document, INTERPOLATING)
+        assert finding.ground is Ground.COUNTEREXAMPLE
+    edges = CLAIMS["edges"]
+    proof = edges.proofs[INTERPOLATING]
+    fewer = replace(edges, proofs={INTERPOLATING: replace(proof, parts=proof.parts - {"C_2"})})
+    assert decide(edges, document, INTERPOLATING).ground is Ground.PROVED
+    assert decide(fewer, document, INTERPOLATING).ground is Ground.TRIALS
 
 
 def test_what_is_decided_by_the_document_alone_asks_no_other():

@@ -12,7 +12,7 @@ from qovr_core import FORMULATIONS
 from qovr_core.files import read_document, write_document
 from qovr_core.files.qovr_document import document_from_json
 from qovr_core.laboratory.claims import CLAIMS
-from qovr_core.laboratory.verify import Verdict, verify
+from qovr_core.laboratory.verify import Ground, Verdict, verify
 from support.command import qovr, refused
 from support.documents import random_document
 from support.verdicts import HERE
@@ -44,6 +44,9 @@ def test_json_holds_every_claim_and_formulation(paper):
         assert list(claim["formulations"]) == [str(formulation) for formulation in FORMULATIONS.values()]
         for formulation, finding in claim["formulations"].items():
             assert finding["verdict"] in list(Verdict)
+            assert finding["known"] in list(Ground)
+            assert (finding["proof"] is not None) == (finding["known"] == "proved")
+            assert finding["trials"] >= 1
             assert math.isfinite(finding["value"])
             assert (finding["counterexample"] is not None) == (finding["verdict"] == "false")
             for document in (finding["counterexample"], finding["example"]):
@@ -71,13 +74,15 @@ def test_the_table_for_people_names_every_claim_and_verdict(tmp_path):
     for claim, block in zip(CLAIMS.values(), blocks, strict=True):
         assert block.startswith(f"{claim.name}: {claim.text}, {claim.where}\n")
     found = re.findall(
-        r"^  (published|double-sum|interpolating) +(true if|true|false) +((?:not )?(?:as claimed|refuted)) ",
+        r"^  (published|double-sum|interpolating) +(true if|true|false|not refuted by \d+ trials)"
+        r" +((?:not )?(?:as claimed|refuted)) ",
         run.out,
         re.M,
     )
     expected = verify(document)
+    assert run.out.count("proved: ") == sum(finding.ground is Ground.PROVED for finding in expected)
     assert found == [
-        (str(finding.formulation), str(finding.verdict), HERE[str(finding.verdict), finding.here.holds])
+        (str(finding.formulation), finding.words, HERE[str(finding.verdict), finding.here.holds])
         for finding in expected
     ]
 

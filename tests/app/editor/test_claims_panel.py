@@ -10,13 +10,13 @@ from PySide6.QtWidgets import QAbstractButton, QApplication, QLabel, QMenu, QTex
 
 from qovr_app.laboratory.claims_cells import BLOCKS, IS_OLD
 from qovr_app.laboratory.claims_panel import ClaimsPanel
-from qovr_app.laboratory.claims_table import MARKS, ClaimsTable
+from qovr_app.laboratory.claims_table import ClaimsTable, marked_verdict
 from qovr_app.state.intents import PointsMoved
 from qovr_app.work.quiet import QUIET_MILLISECONDS
 from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Formulation
 from qovr_core.laboratory.claims import CLAIMS
-from qovr_core.laboratory.verify import verify
+from qovr_core.laboratory.verify import Ground, verify
 from support.verdicts import HERE
 
 
@@ -90,20 +90,22 @@ def test_every_verdict_is_shown_with_its_mark_and_how_it_is_here(lab, spin):
     cells = shown(lab)
     for finding in verify(lab.document):
         spoken = cells[finding.claim.name, finding.formulation]
-        assert f": {finding.verdict}" in spoken
+        assert f": {finding.words}" in spoken
         assert f"here: {HERE[finding.verdict, finding.here.holds]}, " in spoken
         item = table(lab).item(
             list(CLAIMS).index(finding.claim.name), 1 + list(FORMULATIONS.values()).index(finding.formulation)
         )
-        first, *_, last = (text for text, _style in item.data(BLOCKS))
-        assert first == f"{MARKS[finding.verdict]} {finding.verdict}"
+        first, *between, last = (text for text, _style in item.data(BLOCKS))
+        assert first == marked_verdict(finding)
+        assert first.split(" ", 1)[1] == finding.words
+        assert (finding.ground in between) == (finding.ground in (Ground.PROVED, Ground.DOCUMENT))
         assert last.startswith(f"here: {HERE[finding.verdict, finding.here.holds]}, ")
     assert state(lab) == "Every claim is decided"
     QTest.keyClick(table(lab), Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     head, *lines = (line.split("\t") for line in QApplication.clipboard().text().splitlines())
     assert head == ["claim", *map(str, FORMULATIONS)]
     assert len(lines) == len(CLAIMS)
-    assert all(verdict.split()[0].rstrip(";") in {"true", "false"} for line in lines for verdict in line[1:])
+    assert all(verdict.split()[0].rstrip(",;") in {"true", "false", "not"} for line in lines for verdict in line[1:])
     assert all(not line[0][0].islower() and ". (" in line[0] for line in lines)
 
 
@@ -257,7 +259,7 @@ def test_everything_can_be_done_by_keyboard(lab, spin):
     table(lab).setFocus()
     select(lab, "C1", Formulation.INTERPOLATING)
     lab.key(Qt.Key.Key_Return, widget=table(lab))
-    assert "holds on everything" in lab.message()
+    assert "the claim is proved" in lab.message()
     lab.key(Qt.Key.Key_Down, widget=table(lab))
     finding = table(lab).current_finding()
     assert (finding.claim.name, finding.formulation) == ("C2", Formulation.INTERPOLATING)
@@ -272,4 +274,12 @@ def test_a_claim_s_own_cell_stands_for_the_document_s_formulation(lab, spin):
     assert table(lab).current_finding().formulation is Formulation.PUBLISHED
     text = lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
     assert text.startswith("Neighbouring patches meet without a gap. C0, Lemma 1, (45).")
-    assert "For published: ✗ false" in text
+    assert "For published: ✗ false.\nBy counterexample." in text
+    table(lab).setCurrentCell(6, 3)
+    text = lab.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    assert "For interpolating: ✓ true.\nProved in exact arithmetic: both sides are the same curve" in text
+    select(lab, "C2", Formulation.PUBLISHED)
+    assert re.search(
+        r"For published: ○ not refuted by \d+ trials\.\n(?!Proved)",
+        lab.find("laboratory.claims.details", QTextBrowser).toPlainText(),
+    )
