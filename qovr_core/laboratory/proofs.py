@@ -5,9 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from qovr_core.document import NET_SIZE
 from qovr_core.formulations import FORMULATIONS, Formulation
-from qovr_core.geometry.knots import Direction
 from qovr_core.laboratory import identities, mirror_identities
 
 _PUBLISHED, _DOUBLE_SUM, _INTERPOLATING = Formulation.PUBLISHED, Formulation.DOUBLE_SUM, Formulation.INTERPOLATING
@@ -57,11 +55,7 @@ QUARTIC: Proofs = dict.fromkeys(
 _EDGES_ARE_CURVES = (identities.curves_end_on_points, identities.boolean_sum_ends_on_curves)
 """S(0, v) = K_1(v), S(1, v) = K_3(v), S(u, 0) = C_1(u), S(u, 1) = C_3(u) of the Boolean sum."""
 
-_EDGE_CURVES = (1, 3)
-
-_OTHERS = frozenset(
-    direction.curve_name(number) for direction in Direction for number in range(NET_SIZE) if number not in _EDGE_CURVES
-)
+_OTHERS = frozenset(f"{letter}_{number}" for letter in "CK" for number in (0, 2, 4))
 
 C0: Proofs = {
     _INTERPOLATING: Proof("both sides are the same curve, K_3 of the one and K_1 of the other", _EDGES_ARE_CURVES)
