@@ -1,4 +1,4 @@
-"""From a document to what is exact about it: its ten curves, and its surface as one polynomial patch."""
+"""From a document to what is exact about it: its curves, and its surface as one polynomial a window."""
 
 from __future__ import annotations
 
@@ -6,20 +6,23 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from qovr_core.arrays import Array, read_only
+from qovr_core.arrays import Array, Flags, read_only
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import EvaluationError
-from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, knot_array
-from qovr_core.geometry.network import network_curves
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.geometry.patch import Patch
+from qovr_core.geometry.weights import weight_coefficients
+from qovr_core.geometry.windows import NET_SIZE, STEP, column_windows, curve_points, net_windows, row_windows
+from qovr_core.joints import window_lengths
 
 
 @dataclass(frozen=True)
 class CurveNetwork:
-    """The ten curves of a document as Bernstein coefficients.
+    """The curves of a document as Bernstein coefficients, one polynomial a window.
 
-    ``rows[i]`` is C_i(u) of (42) and ``columns[j]`` is K_j(v) of (43), each (7, 3).
+    ``rows[i, b]`` is C_i(u) of (42) in window b along u, (2m+3, n, 7, 3), and ``columns[j, a]`` is K_j(v) of (43) in
+    window a along v, (2n+3, m, 7, 3).
     """
 
     rows: Array
@@ -27,8 +30,14 @@ class CurveNetwork:
 
 
 def document_arrays(document: Document) -> tuple[Array, Array, Array]:
-    """Return the net (5, 5, 3), the row knots (5, 4) and the column knots (5, 4) of a document."""
-    return document.control_points, knot_array(document.row_knots), knot_array(document.column_knots)
+    """Return nets (m, n, 5, 5, 3), row knots and column knots (m, n, 5, 4) of all windows of a document."""
+    return net_windows(document.control_points), row_windows(document.row_knots), column_windows(document.column_knots)
+
+
+def window_arrays(document: Document) -> tuple[Array, Array, Array]:
+    """Return net (5, 5, 3), row knots and column knots (5, 4) of a document of one window."""
+    net, row_knots, column_knots = document_arrays(document)
+    return net[0, 0], row_knots[0, 0], column_knots[0, 0]
 
 
 def curve_network(document: Document) -> CurveNetwork:
@@ -38,10 +47,14 @@ def curve_network(document: Document) -> CurveNetwork:
     --------
     >>> net = [[[j, i, 0] for j in range(5)] for i in range(5)]
     >>> network = curve_network(Document(net))
-    >>> network.rows[4][[0, -1]].tolist()  # C_4 begins at P_{4,1} and ends at P_{4,3}
+    >>> network.rows[4, 0][[0, -1]].tolist()  # C_4 begins at P_{4,1} and ends at P_{4,3}
     [[1.0, 4.0, 0.0], [3.0, 4.0, 0.0]]
     """
-    rows, columns = network_curves(*document_arrays(document), document.formulation.kernel_decimals)
+    net, decimals = document.control_points, document.formulation.kernel_decimals
+    rows, columns = (
+        weight_coefficients(knots.array, kernel_decimals=decimals) @ curve_points(points)
+        for knots, points in ((document.row_knots, net), (document.column_knots, net.swapaxes(0, 1)))
+    )
     return CurveNetwork(rows, columns)
 
 
@@ -57,11 +70,15 @@ def surface_rounding(document: Document) -> Array:
     array([ True,  True,  True])
     """
     with np.errstate(all="ignore"):  # what overflows is all rounding, and what underflows has its least size
-        return read_only(document.formulation.rounding(*document_arrays(document)))
+        return read_only(document.formulation.rounding(*document_arrays(document)).max(axis=(0, 1)))
 
 
-def build_patch(document: Document) -> Patch:
-    """Return the raw surface of a document as one polynomial patch.
+def build_patch(document: Document, base: tuple[Document, Patch] | None = None) -> Patch:
+    """Return the raw surface of a document as one polynomial a window.
+
+    Parameters
+    ----------
+    base : another document and its patch; only windows that differ from it are computed, bit for bit the same
 
     Raises
     ------
@@ -74,33 +91,74 @@ def build_patch(document: Document) -> Patch:
     >>> patch.degree, patch.points([0, 1], [0]).tolist()
     ((4, 4), [[[1.0, 1.0, 0.0]], [[3.0, 1.0, 0.0]]])
     """
+    if base is None or not _is_alike(document, base[0]):
+        coefficients = _coefficients(document, *document_arrays(document))
+    else:
+        touched = np.nonzero(_touched(document, base[0]))
+        coefficients = base[1].coefficients.copy()
+        if len(touched[0]):
+            coefficients[touched] = _coefficients(document, *(array[touched] for array in document_arrays(document)))
+    along_u, along_v = (_degree(document, direction) for direction in Direction)
+    lengths_u, lengths_v = (
+        window_lengths(knots_of(document, direction), document.joints.along(direction)) for direction in Direction
+    )
+    return Patch(read_only(coefficients), (along_u, along_v), (lengths_u, lengths_v))
+
+
+def _coefficients(document: Document, net: Array, row_knots: Array, column_knots: Array) -> Array:
     with np.errstate(all="ignore"):  # what overflows is refused just below, in words
-        coefficients = document.formulation.build(*document_arrays(document))
+        coefficients = document.formulation.build(net, row_knots, column_knots)
     if not np.isfinite(coefficients).all():
         raise overflow_error(document)
-    along_u, along_v = (_degree(document, direction) for direction in Direction)
-    return Patch(coefficients, (along_u, along_v))
+    return coefficients
+
+
+def _is_alike(document: Document, other: Document) -> bool:
+    """Return whether windows of two documents can be compared one by one."""
+    return document.formulation is other.formulation and document.windows == other.windows
+
+
+def _touched(document: Document, other: Document) -> Flags:
+    """Return in which windows two documents differ, (m, n)."""
+    moved = (document.control_points != other.control_points).any(axis=-1, keepdims=True)
+    touched: Flags = np.asarray(net_windows(moved).any(axis=(2, 3, 4)))
+    for direction, windows_of in ((Direction.ROWS, row_windows), (Direction.COLUMNS, column_windows)):
+        knots, others = knots_of(document, direction), knots_of(other, direction)
+        if knots is not others:
+            touched |= (windows_of(knots) != windows_of(others)).any(axis=(2, 3))
+    return touched
+
+
+def active_curves(document: Document, direction: Direction) -> list[int]:
+    """Return the curves of a direction whose knots have an effect on the surface."""
+    curves = len(knots_of(document, direction))
+    active = document.formulation.active_curves(direction)
+    if active is None:
+        return list(range(curves))
+    return sorted({first + each for first in range(0, curves - NET_SIZE + 1, STEP) for each in active})
 
 
 def _degree(document: Document, direction: Direction) -> int:
     """Return the degree along the curves of a direction: the largest of those that have an effect."""
-    return max(
-        knots.degree
-        for curve, knots in enumerate(knots_of(document, direction))
-        if document.formulation.is_active(direction, curve)
-    )
+    knots = knots_of(document, direction).array[active_curves(document, direction)]
+    s, u = (knots[..., KNOT_NAMES.index(name)] for name in "su")
+    return 4 if bool((s == u).all()) else 6
 
 
 def overflow_error(document: Document) -> EvaluationError:
     """Return an error that names the knot nearest to an end of (0, 1), which is what makes coordinates overflow."""
-    margin, place, value = min(
-        (min(value, 1 - value), str(KnotPlace(direction, curve, name)), value)
-        for direction in Direction
-        for curve, knots in enumerate(knots_of(document, direction))
-        for name, value in zip(KNOT_NAMES, knots, strict=True)
-        if document.formulation.is_active(direction, curve)
-    )
+    margin, place, value = min(_nearest_to_an_end(document, direction) for direction in Direction)
     return EvaluationError(
         f"the surface has no finite coordinates: {place} = {value!r} is only {margin:.3g} away from an end of (0, 1); "
         "expected knots, and coordinates, of ordinary size"
     )
+
+
+def _nearest_to_an_end(document: Document, direction: Direction) -> tuple[float, str, float]:
+    """Return how near the active knot nearest to 0 or 1 is to it, its place and its value."""
+    knots, active = knots_of(document, direction), active_curves(document, direction)
+    values = knots.array[active]
+    margins = np.minimum(values, 1 - values)
+    row, window, number = (int(k) for k in np.unravel_index(margins.argmin(), margins.shape))
+    place = KnotPlace(direction, active[row], KNOT_NAMES[number], window)
+    return float(margins[row, window, number]), place.text(knots.windows), float(values[row, window, number])

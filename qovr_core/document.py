@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import hypot
 from typing import Any
 
@@ -11,29 +12,48 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples, described
+from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import FORMULATIONS, Formulation
-from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.knots import Direction, Knots, KnotTable
+from qovr_core.geometry.windows import NET_SIZE, window_count
+from qovr_core.joints import Joints, checked_closed, checked_joints, smooth_where_possible
+from qovr_core.knot_input import KnotsLike, checked_knots, entries
 
-NET_SIZE = 5
-"""Rows and columns of the control net."""
+MOST_POINTS = 203
+"""Rows, and columns, of the largest net: 101 windows each way."""
 
 NetIndex = tuple[int, int]
 """Row i and column j of a control point."""
 
+_ALL_HALF = Knots()
 
-@dataclass(frozen=True, eq=False)
+_COUNTS = f"a list of 5, 7, 9, ... or {MOST_POINTS} entries"
+
+Window = tuple[int, int]
+"""A window (a, b) of a net: a counts along v, b along u."""
+
+ALIKE_WHERE_CLOSED = 3
+"""Rows (columns) at the end of a closed net that are those at its beginning."""
+
+
+@dataclass(frozen=True, eq=False, init=False)
 class Document:
     """The inputs of one surface; never changed, only replaced (``qovr_core.edits``).
 
+    A net of m x n windows, each of 5 x 5 points, has 2m + 3 rows and 2n + 3 columns; one window is the paper's case.
+    Window (a, b) holds the rows 2a to 2a + 4 and the columns 2b to 2b + 4.
+
     Parameters
     ----------
-    control_points : (5, 5, 3), ``[i, j]`` is P_{i,j} in row i and column j; kept as read-only float64
-    row_knots : the knots of C_0..C_4, which run along the rows
-    column_knots : the knots of K_0..K_4, which run along the columns; their ``u`` is v_ip
+    control_points : (2m+3, 2n+3, 3), ``[i, j]`` is P_{i,j} in row i and column j; kept as read-only float64
+    row_knots : the knots of C_0..C_{2m+2}, which run along the rows through n windows: an array (2m+3, n, 4), a list
+        of one ``Knots`` a curve or of lists of n of them, or one ``Knots`` for all
+    column_knots : the knots of K_0..K_{2n+2}, which run along the columns through m windows; their ``u`` is v_ip
     formulation : a Formulation, or the name of a registered one
-    samples : number of samples along u and along v, each from 2 to 4096
+    samples : number of samples along u and along v over the whole, each from 2, or windows + 1, to 4096
+    joints : which joints between windows are smooth; None where they are as smooth as the knots allow
+    closed : of ``u`` and ``v`` the directions in which the net closes: its last three columns (rows) are the first
 
     Raises
     ------
@@ -45,23 +65,58 @@ class Document:
     >>> document = Document(net, formulation="double-sum", samples=(11, 21))
     >>> document.control_points[4, 1]
     array([1., 4., 4.])
-    >>> print(document.formulation, document.row_knots[0])
+    >>> print(document.formulation, document.row_knots[0, 0])
     double-sum Knots(r=0.5, s=0.5, u=0.5, t=0.5)
     """
 
     control_points: Array
-    row_knots: tuple[Knots, ...] = (Knots(),) * NET_SIZE
-    column_knots: tuple[Knots, ...] = (Knots(),) * NET_SIZE
-    formulation: Formulation = Formulation.PUBLISHED
-    samples: tuple[int, int] = (101, 101)
+    row_knots: KnotTable
+    column_knots: KnotTable
+    formulation: Formulation
+    samples: tuple[int, int]
+    joints: Joints
+    closed: tuple[str, ...]
 
-    def __post_init__(self) -> None:
-        replace = object.__setattr__
-        replace(self, "control_points", _checked_net(self.control_points))
-        replace(self, "row_knots", _checked_curves(self.row_knots, "row_knots"))
-        replace(self, "column_knots", _checked_curves(self.column_knots, "column_knots"))
-        replace(self, "formulation", _checked_formulation(self.formulation))
-        replace(self, "samples", _checked_counts(self.samples))
+    def __init__(
+        self,
+        control_points: npt.ArrayLike,
+        row_knots: KnotsLike = _ALL_HALF,
+        column_knots: KnotsLike = _ALL_HALF,
+        formulation: Formulation | str = Formulation.PUBLISHED,
+        samples: Sequence[int] = (101, 101),
+        *,
+        joints: Joints | None = None,
+        closed: Iterable[str] = (),
+    ) -> None:
+        net = _checked_net(control_points)
+        rows, columns = net.shape[:2]
+        m, n = window_count(rows), window_count(columns)
+        row_table = checked_knots(row_knots, Direction.ROWS, rows, n)
+        column_table = checked_knots(column_knots, Direction.COLUMNS, columns, m)
+        closed_along = checked_closed(closed)
+        if joints is None:
+            joints = smooth_where_possible(row_table, column_table, closed_along)
+        values = {
+            "control_points": net,
+            "row_knots": row_table,
+            "column_knots": column_table,
+            "formulation": _checked_formulation(formulation),
+            "samples": _checked_counts(samples, (n, m)),
+            "joints": checked_joints(joints, row_table, column_table, closed_along),
+            "closed": closed_along,
+        }
+        for name, value in values.items():
+            object.__setattr__(self, name, value)
+        self._check_closed()
+
+    @property
+    def windows(self) -> tuple[int, int]:
+        """How many windows the net has along v and along u, (m, n)."""
+        return self.column_knots.windows, self.row_knots.windows
+
+    def is_closed(self, direction: Direction) -> bool:
+        """Return whether the net closes along the curves of a direction."""
+        return direction.parameter in self.closed
 
     @property
     def net_size(self) -> float:
@@ -71,24 +126,51 @@ class Document:
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Document):
             return NotImplemented
-        return self._key() == other._key()
+        return self is other or (
+            self.control_points.shape == other.control_points.shape
+            and self._rest == other._rest
+            and np.array_equal(self.control_points, other.control_points)
+            and self.row_knots == other.row_knots
+            and self.column_knots == other.column_knots
+        )
 
     def __hash__(self) -> int:
-        return hash(self._key())
+        return self._hash
 
-    def _key(self) -> tuple[object, ...]:
-        return (
-            tuple(self.control_points.ravel().tolist()),
-            self.row_knots,
-            self.column_knots,
-            self.formulation,
-            self.samples,
-        )
+    @cached_property
+    def _hash(self) -> int:
+        points = self.control_points + 0.0  # so that -0.0, which equals 0.0, has its hash
+        return hash((points.tobytes(), self.row_knots, self.column_knots, self._rest))
+
+    @property
+    def _rest(self) -> tuple[object, ...]:
+        return self.formulation, self.samples, self.joints, self.closed
+
+    def _check_closed(self) -> None:
+        """Raise DocumentError where a closed net does not close."""
+        for direction, name, crossing, knots in (
+            (Direction.ROWS, "column", self.control_points.swapaxes(0, 1), self.column_knots),
+            (Direction.COLUMNS, "row", self.control_points, self.row_knots),
+        ):
+            if not self.is_closed(direction):
+                continue
+            if len(crossing) < 2 * ALIKE_WHERE_CLOSED:
+                raise DocumentError(
+                    "closed", f"a list with {direction.parameter}", "a net of two windows or more there"
+                )
+            last = len(crossing) - ALIKE_WHERE_CLOSED
+            for k in range(ALIKE_WHERE_CLOSED):
+                expected = f"that of {name} {k}, since the net is closed along {direction.parameter}"
+                if not np.array_equal(crossing[k], crossing[last + k]):
+                    raise DocumentError("control_points", f"another {name} {last + k}", expected)
+                if not np.array_equal(knots.array[k], knots.array[last + k]):
+                    raise DocumentError(f"{direction.other}[{last + k}]", "different", expected)
 
 
 def _checked_net(points: npt.ArrayLike) -> Array:
-    shape = (NET_SIZE, NET_SIZE, 3)
-    if isinstance(points, np.ndarray) and points.dtype == np.float64 and points.shape == shape:
+    if isinstance(points, np.ndarray) and points.dtype == np.float64 and points.ndim == 3 and points.shape[2] == 3:
+        for count, place in zip(points.shape, ("control_points", "control_points[0]"), strict=False):
+            _check_count(count, place)
         net = points
     else:
         net = _net_of_numbers(points)
@@ -98,40 +180,32 @@ def _checked_net(points: npt.ArrayLike) -> Array:
 
 
 def _net_of_numbers(points: Any) -> Array:
-    rows = _entries(points, "control_points", NET_SIZE)
+    rows = _points_list(points, "control_points")
+    _check_count(len(rows), "control_points")
+    columns = len(_points_list(rows[0], "control_points[0]"))
+    _check_count(columns, "control_points[0]")
     return np.array(
         [
             [
                 [
                     checked_number(value, f"control_points[{i}][{j}][{k}]")
-                    for k, value in enumerate(_entries(point, f"control_points[{i}][{j}]", 3))
+                    for k, value in enumerate(entries(point, f"control_points[{i}][{j}]", 3))
                 ]
-                for j, point in enumerate(_entries(row, f"control_points[{i}]", NET_SIZE))
+                for j, point in enumerate(entries(row, f"control_points[{i}]", columns))
             ]
             for i, row in enumerate(rows)
         ]
     )
 
 
-def _entries(value: object, place: str, count: int) -> Sequence[Any]:
-    """Return a list of exactly ``count`` entries or raise DocumentError."""
-    expected = f"a list of {count} entries"
-    if isinstance(value, np.ndarray):
-        value = list(value)
-    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
-        raise DocumentError(place, described(value), expected)
-    entries = list(value)
-    if len(entries) != count:
-        raise DocumentError(place, described(entries), expected)
-    return entries
+def _points_list(value: object, place: str) -> Sequence[Any]:
+    return entries(value, place, expected=_COUNTS)
 
 
-def _checked_curves(curves: object, place: str) -> tuple[Knots, ...]:
-    entries = _entries(curves, place, NET_SIZE)
-    for k, knots in enumerate(entries):
-        if not isinstance(knots, Knots):
-            raise DocumentError(f"{place}[{k}]", described(knots), "a Knots object")
-    return tuple(entries)
+def _check_count(count: int, place: str) -> None:
+    """Raise DocumentError where so many rows, or columns, are no net."""
+    if not (NET_SIZE <= count <= MOST_POINTS and count % 2):
+        raise DocumentError(place, f"a list of {count} entries", _COUNTS)
 
 
 def _checked_formulation(formulation: object) -> Formulation:
@@ -140,6 +214,12 @@ def _checked_formulation(formulation: object) -> Formulation:
     return FORMULATIONS[checked_choice(formulation, "formulation", FORMULATIONS)]
 
 
-def _checked_counts(samples: object) -> tuple[int, int]:
-    n, m = _entries(samples, "samples", 2)
-    return checked_samples(n, "samples[0]"), checked_samples(m, "samples[1]")
+def _checked_counts(samples: object, windows: tuple[int, int]) -> tuple[int, int]:
+    n, m = entries(samples, "samples", 2)
+    counts = checked_samples(n, "samples[0]"), checked_samples(m, "samples[1]")
+    for k, (count, along) in enumerate(zip(counts, windows, strict=True)):
+        if count <= along:
+            raise DocumentError(
+                f"samples[{k}]", str(count), f"at least {along + 1}, for the net has {along} windows there"
+            )
+    return counts

@@ -11,10 +11,14 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array
-from qovr_core.document import Document, NetIndex
+from qovr_core.checks import checked_knot
+from qovr_core.document import ALIKE_WHERE_CLOSED, Document, NetIndex, Window
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import Formulation
-from qovr_core.geometry.knots import Direction, KnotPlace, Knots, knot_array
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, Knots, KnotTable
+from qovr_core.geometry.locate import spread
+from qovr_core.geometry.windows import NET_SIZE, STEP
+from qovr_core.joints import Joint
 
 
 class Zone(StrEnum):
@@ -41,10 +45,9 @@ Place = KnotPlace | CoordinatePlace
 """One number of a document; ``str`` gives it in the document's own words."""
 
 
-def knots_of(document: Document, direction: Direction) -> tuple[Knots, ...]:
+def knots_of(document: Document, direction: Direction) -> KnotTable:
     """Return the knots of the curves of a direction."""
-    curves: tuple[Knots, ...] = getattr(document, direction.value)
-    return curves
+    return document.row_knots if direction is Direction.ROWS else document.column_knots
 
 
 def zone_of(place: Place) -> Zone:
@@ -68,41 +71,28 @@ def set_point(document: Document, i: int, j: int, point: npt.ArrayLike) -> Docum
 
 
 def set_points(document: Document, control_points: npt.ArrayLike) -> Document:
-    """Return the document with another control net, (5, 5, 3)."""
-    return replace(document, control_points=np.asarray(control_points, dtype=np.float64))
+    """Return the document with another control net of the same shape.
+
+    Where the net is closed, what is changed on one side of the seam is changed on the other.
+    """
+    net = np.array(control_points, dtype=np.float64)
+    for direction in Direction:
+        if document.is_closed(direction) and net.shape == document.control_points.shape:
+            axis = 1 if direction is Direction.ROWS else 0
+            _close(np.moveaxis(net, axis, 0), np.moveaxis(document.control_points, axis, 0))
+    return replace(document, control_points=net)
 
 
-def set_knots(document: Document, direction: Direction, knots: tuple[Knots, ...]) -> Document:
-    """Return the document with the knots of all curves of a direction replaced."""
-    family: dict[str, Any] = {direction.value: knots}
-    return replace(document, **family)
+def set_knots(document: Document, direction: Direction, knots: Array) -> Document:
+    """Return the document with the knots of all curves of a direction replaced, (curves, windows, 4)."""
+    changes: dict[str, Any] = {direction.value: knots}
+    return replace(document, **changes)
 
 
 def set_all_knots(document: Document, knots: Knots) -> Document:
     """Return the document with the same knots on all curves."""
-    rows, columns = ((knots,) * len(knots_of(document, direction)) for direction in Direction)
-    return replace(document, row_knots=rows, column_knots=columns)
-
-
-def set_knot(
-    document: Document, direction: Direction, name: str, value: float, *, curve: int | None = None
-) -> Document:
-    """Return the document with one knot changed.
-
-    Parameters
-    ----------
-    direction : which family of curves
-    name : ``r``, ``s``, ``u`` or ``t``; ``u`` stands for v_ip on column curves
-    value : strictly between 0 and 1
-    curve : 0 to 4; None sets it on all curves of the direction
-    """
-    curves = list(knots_of(document, direction))
-    for k in range(len(curves)) if curve is None else (curve,):
-        try:
-            curves[k] = replace(curves[k], **{name: value})
-        except DocumentError as error:
-            raise DocumentError(f"{direction}[{k}].{error.place}", error.found, error.expected) from None
-    return set_knots(document, direction, tuple(curves))
+    tables = (np.broadcast_to(tuple(knots), knots_of(document, direction).array.shape) for direction in Direction)
+    return replace(document, **dict(zip(Direction, tables, strict=True)))
 
 
 def set_formulation(document: Document, formulation: Formulation) -> Document:
@@ -119,45 +109,108 @@ def value_at(document: Document, place: Place) -> float:
     """Return the number that stands at a place."""
     if isinstance(place, CoordinatePlace):
         return float(document.control_points[place.i, place.j, place.axis])
-    value: float = getattr(knots_of(document, place.direction)[place.curve], place.name)
-    return value
+    return float(knots_of(document, place.direction).array[place.curve, place.window, place.number])
 
 
 def set_values(document: Document, values: Mapping[Place, float]) -> Document:
     """Return the document with several numbers changed, all or none of them.
+
+    What has to stay alike changes together: the knots that a smooth joint shares, and both sides of a closed net's
+    seam. Of two values for one number, the last counts.
 
     Raises
     ------
     DocumentError : a value is not valid at its place
     """
     net = document.control_points.copy()
-    curves = {direction: list(knots_of(document, direction)) for direction in Direction}
+    tables = {direction: knots_of(document, direction).array.copy() for direction in Direction}
+    changed = set()
     for place, value in values.items():
         if isinstance(place, CoordinatePlace):
             net[place.i, place.j, place.axis] = value
             continue
-        try:
-            changed = replace(curves[place.direction][place.curve], **{place.name: value})
-        except DocumentError as error:
-            raise DocumentError(str(place), error.found, error.expected) from None
-        curves[place.direction][place.curve] = changed
-    rows, columns = (tuple(curves[direction]) for direction in Direction)
-    return replace(document, control_points=net, row_knots=rows, column_knots=columns)
+        changed.add(place.direction)
+        number = checked_knot(value, place.text(knots_of(document, place.direction).windows))
+        for curves, window, knot in shared_knots(document, place):
+            tables[place.direction][curves, window, knot] = number
+    knots: dict[str, Any] = {str(direction): tables[direction] for direction in changed}
+    moved = set_points(document, net) if len(changed) < len(values) else document
+    return replace(moved, **knots) if knots else moved
 
 
-def linked_places(document: Document, place: KnotPlace, *, curves: bool, directions: bool) -> tuple[KnotPlace, ...]:
+def shared_knots(document: Document, place: KnotPlace) -> list[tuple[slice | list[int], int, int]]:
+    """Return what has to stay alike with one knot: which curves, in which window along them, which of their knots.
+
+    A smooth joint shares t before it, r after it and u in both windows over all curves; across the seam of a closed net
+    the first three curves are the last three.
+    """
+    direction, name = place.direction, place.name
+    joints, windows = document.joints.along(direction), knots_of(document, direction).windows
+    smooth = [k for k, joint in enumerate(joints) if joint is Joint.SMOOTH]
+    before, after = (place.window - 1) % windows, place.window
+    if name == "t" and after in smooth:
+        return [(slice(None), after, place.number), (slice(None), (after + 1) % windows, KNOT_NAMES.index("r"))]
+    if name == "r" and before in smooth:
+        return [(slice(None), before, KNOT_NAMES.index("t")), (slice(None), after, place.number)]
+    if name == "u" and {before, after} & set(smooth):
+        return [(slice(None), after, place.number)]
+    return [(_same_curves(document, place), place.window, place.number)]
+
+
+def _same_curves(document: Document, place: KnotPlace) -> list[int]:
+    """Return the curve, and in a net that closes across its direction the one that is the same."""
+    last = len(knots_of(document, place.direction)) - ALIKE_WHERE_CLOSED
+    if not document.is_closed(place.direction.other):
+        return [place.curve]
+    return sorted(
+        {place.curve, *(k for k in (place.curve - last, place.curve + last) if 0 <= k < last + ALIKE_WHERE_CLOSED)}
+    )
+
+
+def linked_places(
+    document: Document, place: KnotPlace, *, curves: bool, directions: bool, windows: bool = False
+) -> tuple[KnotPlace, ...]:
     """Return the places that change together with one knot.
 
     Parameters
     ----------
     curves : whether all curves of a direction share their knots
-    directions : whether both directions share their knots, curve by curve, where both have that curve
+    directions : whether both directions share their knots, curve by curve and window by window, where both have them
+    windows : whether all windows of a curve share their knots
     """
     return tuple(
-        KnotPlace(family, number, place.name)
+        KnotPlace(family, number, place.name, window)
         for family in (Direction if directions else (place.direction,))
         for number in range(len(knots_of(document, family)))
         if curves or number == place.curve
+        for window in range(knots_of(document, family).windows)
+        if windows or window == place.window
+    )
+
+
+def extract_window(document: Document, window: Window) -> Document:
+    """Return one window (a, b) of a net as a document of its own, with the intervals between samples that it has.
+
+    Its raw surface is the same; T is made anew from its own boxes.
+
+    Raises
+    ------
+    DocumentError : there is no such window
+    """
+    m, n = document.windows
+    if document.windows == (1, 1) == (window[0] + 1, window[1] + 1):
+        return document
+    a, b = window
+    if not (0 <= a < m and 0 <= b < n):
+        raise DocumentError("the window", f"{a},{b}", f"one of 0,0 to {m - 1},{n - 1}")
+    rows, columns = slice(STEP * a, STEP * a + NET_SIZE), slice(STEP * b, STEP * b + NET_SIZE)
+    counts = zip(document.samples, (n, m), (b, a), strict=True)
+    return Document(
+        document.control_points[rows, columns],
+        document.row_knots.array[rows, b : b + 1],
+        document.column_knots.array[columns, a : a + 1],
+        document.formulation,
+        [int(spread(samples, windows)[k]) + 1 for samples, windows, k in counts],
     )
 
 
@@ -167,15 +220,27 @@ def copy_zone(source: Document, target: Document, zone: Zone) -> Document:
 
 
 def rebase(draft: Document, before: Document, after: Document) -> Document:
-    """Return ``draft`` on new ground: what it changed in ``before`` stays, everything else is as in ``after``."""
+    """Return ``draft`` on new ground: what it changed in ``before`` stays, everything else is as in ``after``.
+
+    On a net of another shape there is nothing that could stay.
+    """
+    if before.windows != after.windows:
+        return after
 
     def merged(mine: Array, old: Array, new: Array) -> Array:
         return np.where(mine == old, new, mine)
 
-    nets = (document.control_points for document in (draft, before, after))
-    families = [
-        merged(*(knot_array(knots_of(document, direction)) for document in (draft, before, after)))
-        for direction in Direction
-    ]
-    rows, columns = (tuple(Knots(*knots) for knots in family.tolist()) for family in families)
+    documents = (draft, before, after)
+    nets = (document.control_points for document in documents)
+    rows, columns = (
+        KnotTable(merged(*(knots_of(document, direction).array for document in documents))) for direction in Direction
+    )
     return replace(after, control_points=merged(*nets), row_knots=rows, column_knots=columns)
+
+
+def _close(net: Array, before: Array) -> None:
+    """Bring the first three and the last three of a closed net's lines together again: those that have moved lead."""
+    first, last = slice(None, ALIKE_WHERE_CLOSED), slice(len(net) - ALIKE_WHERE_CLOSED, None)
+    is_moved = net[last] != before[last]
+    joined = np.where(is_moved, net[last], net[first])
+    net[first] = net[last] = joined

@@ -8,10 +8,11 @@ from typing import Any, Final, TypeVar
 
 import numpy as np
 
-from qovr_core.arrays import Array, read_only
+from qovr_core.arrays import Array, Indices, read_only
 from qovr_core.construction import CurveNetwork, build_patch, curve_network, surface_rounding
 from qovr_core.document import Document
 from qovr_core.geometry.alignment import Alignment, align, bounding_box
+from qovr_core.geometry.locate import even, spread
 from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.rounding import NOISE
 from qovr_core.layer import Layer
@@ -32,6 +33,7 @@ class Evaluation:
     Parameters
     ----------
     document : what is evaluated
+    base : an evaluation from which it may differ in a few windows, which alone are then computed
 
     Attributes
     ----------
@@ -50,9 +52,9 @@ class Evaluation:
     ((4, 4), ('z',))
     """
 
-    def __init__(self, document: Document) -> None:
+    def __init__(self, document: Document, base: Evaluation | None = None) -> None:
         self.document: Final = document
-        self.patch: Final = build_patch(document)
+        self.patch: Final[Patch] = build_patch(document, (base.document, base.patch) if base else None)
         self._known: dict[str, Any] = {}
         self._lock = RLock()
 
@@ -74,7 +76,7 @@ class Evaluation:
     @property
     def raw_box(self) -> Array:
         """The box of the raw samples, (3, 2) with columns min and max; hardly any of them is computed for it."""
-        return self._once("raw_box", lambda: self.patch.sampled_box(*self.document.samples))
+        return self._once("raw_box", lambda: self.patch.sampled_box(*self.intervals))
 
     @property
     def matrix(self) -> Array:
@@ -107,24 +109,30 @@ class Evaluation:
         return self.patch if layer is Layer.RAW else self.transformed_patch
 
     @property
+    def intervals(self) -> tuple[Indices, Indices]:
+        """The intervals between samples that fall to each window along u, (n,), and along v, (m,)."""
+        (m, n), samples = self.document.windows, self.document.samples
+        return spread(samples[0], n), spread(samples[1], m)
+
+    @property
     def u(self) -> Array:
-        """The parameters of the samples along u, (n,) from 0 to 1."""
-        return self._once("u", lambda: parameters(self.document.samples[0]))
+        """The samples' places along u, ascending: the window, plus the place in it from 0 to 1."""
+        return self._once("u", lambda: even(self.intervals[0]).place)
 
     @property
     def v(self) -> Array:
-        """The parameters of the samples along v, (m,) from 0 to 1."""
-        return self._once("v", lambda: parameters(self.document.samples[1]))
+        """The samples' places along v, likewise."""
+        return self._once("v", lambda: even(self.intervals[1]).place)
 
     @property
     def raw(self) -> Array:
-        """Samples of the raw surface, (n, m, 3) indexed [iu, iv]."""
-        return self._once("raw", lambda: self.patch.points(self.u, self.v))
+        """Samples of the raw surface, (N, M, 3) indexed [iu, iv]; where windows do not meet, of that which begins."""
+        return self._once("raw", lambda: self.patch.samples(*self.intervals))
 
     @property
     def transformed(self) -> Array:
-        """Samples of the transformed surface, (n, m, 3) indexed [iu, iv]."""
-        return self._once("transformed", lambda: self.transformed_patch.points(self.u, self.v))
+        """Samples of the transformed surface, (N, M, 3) indexed [iu, iv]."""
+        return self._once("transformed", lambda: self.transformed_patch.samples(*self.intervals))
 
     def samples(self, layer: Layer) -> Array:
         """Return the samples of a layer, (n, m, 3) indexed [iu, iv]."""

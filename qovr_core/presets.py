@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.errors import SourceError
 from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.windows import NET_SIZE
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from qovr_core.edits import knots_of
 from qovr_core.evaluation import Evaluation
 from qovr_core.formulations import FORMULATIONS
 from qovr_core.geometry.combs import ISOLINES, comb_changes, isolines
-from qovr_core.geometry.folding import folding_parts
+from qovr_core.geometry.folding import folding_parts, folds
 from qovr_core.geometry.knots import Direction
 
 
@@ -58,8 +58,8 @@ def folding_curves(document: Document) -> list[dict[str, Any]]:
     return [
         {"curve": f"{direction}[{curve}]", "backward": [list(ends) for ends in parts]}
         for direction in Direction
-        for curve, knots in enumerate(knots_of(document, direction))
-        if (parts := folding_parts(knots))
+        for curve, window in np.argwhere(folds(knots_of(document, direction).array)).tolist()
+        if (parts := folding_parts(knots_of(document, direction)[curve, window]))
     ]
 
 

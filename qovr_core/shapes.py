@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.formulations import Formulation
+from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.presets import network_case
 
 Height = Callable[[Array, Array], Array]

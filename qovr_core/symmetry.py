@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from enum import StrEnum
+from typing import Any
 
 import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
-from qovr_core.edits import CoordinatePlace, Place, knots_of, set_knots, set_points, value_at
+from qovr_core.edits import CoordinatePlace, Place, knots_of, value_at
 from qovr_core.errors import DocumentError
-from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, Knots, knot_array
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
+from qovr_core.joints import Joint
 from qovr_core.net_moves import COLUMNS_MIRROR, ROWS_MIRROR, Mirror
 
 MIRRORS = {Direction.ROWS: ROWS_MIRROR, Direction.COLUMNS: COLUMNS_MIRROR}
@@ -47,15 +50,39 @@ def make_symmetric(document: Document, across: Direction, source: Source, mirror
     shape = (-1, 1, 1) if mirror.axis == 0 else (1, -1, 1)
     net = _of_source(net, mirror.flipped(net), _sides(net.shape[mirror.axis]).reshape(shape), source)
     net[..., mirror.coordinate] += place
-    paired = knot_array(knots_of(document, across))
-    paired = _of_source(paired, paired[::-1], _sides(len(paired))[:, None], source)
-    turned = knot_array(knots_of(document, across.other))
-    reverse = 1 - turned[:, [KNOT_NAMES.index(_REVERSED[name]) for name in KNOT_NAMES]]
-    turned = _of_source(turned, reverse, _KNOT_SIDES, source)
-    result = set_points(document, net)
-    for direction, family in ((across, paired), (across.other, turned)):
-        result = set_knots(result, direction, tuple(Knots(*knots) for knots in family.tolist()))
-    return result
+    paired = knots_of(document, across).array
+    paired = _of_source(paired, paired[::-1], _sides(len(paired))[:, None, None], source)
+    turned = knots_of(document, across.other).array
+    side = _sides(turned.shape[1])[:, None]
+    turned = _of_source(turned, reversed_knots(turned), np.where(side == 0, _KNOT_SIDES, side), source)
+    joints = _mirrored_joints(document, across.other, source)
+    _settle_own_joints(turned, joints)
+    changes: dict[str, Any] = {"control_points": net, str(across): paired, str(across.other): turned}
+    return replace(document, **changes, joints=replace(document.joints, **{across.other.parameter: joints}))
+
+
+def reversed_knots(knots: Array) -> Array:
+    """Return knots (curves, windows, 4) as they are where the curves run the other way: (1-t, 1-s, 1-u, 1-r)."""
+    reverse: Array = 1 - knots[:, ::-1, [KNOT_NAMES.index(_REVERSED[name]) for name in KNOT_NAMES]]
+    return reverse
+
+
+def _mirrored_joints(document: Document, along: Direction, source: Source) -> tuple[Joint, ...]:
+    """Return the joints that the curves of a direction cross as their own mirror image: as on the source's side, and
+    for the mean smooth where both are. The seam of a closed net, which comes last, is one already."""
+    inner = knots_of(document, along).windows - 1
+    smooth = document.joints.smooth(along).astype(np.float64)
+    smooth[:inner] = _of_source(smooth[:inner], smooth[:inner][::-1], _sides(inner), source)
+    return tuple(Joint.SMOOTH if value == 1 else Joint.SHARP for value in smooth)
+
+
+def _settle_own_joints(knots: Array, joints: tuple[Joint, ...]) -> None:
+    """Give the smooth joints that are their own mirror images, in the middle and at a seam, the one tau that is so."""
+    windows = knots.shape[1]
+    own = {windows - 1} if windows % 2 else {windows - 1, windows // 2 - 1}
+    for joint in own:
+        if joint < len(joints) and joints[joint] is Joint.SMOOTH:
+            knots[:, joint, KNOT_NAMES.index("t")] = knots[:, (joint + 1) % windows, KNOT_NAMES.index("r")] = 0.5
 
 
 def mirrored_values(
@@ -87,8 +114,9 @@ def _image(document: Document, place: Place, value: float, across: Direction, mi
     if isinstance(place, KnotPlace):
         if place.direction is across:
             last = len(knots_of(document, across)) - 1
-            return KnotPlace(across, last - place.curve, place.name), value
-        return KnotPlace(place.direction, place.curve, _REVERSED[place.name]), 1 - value
+            return replace(place, curve=last - place.curve), value
+        last = knots_of(document, place.direction).windows - 1
+        return KnotPlace(place.direction, place.curve, _REVERSED[place.name], last - place.window), 1 - value
     last = document.control_points.shape[mirror.axis] - 1
     i, j = (last - place.i, place.j) if mirror.axis == 0 else (place.i, last - place.j)
     partner = CoordinatePlace(i, j, place.axis)

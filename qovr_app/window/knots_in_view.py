@@ -27,7 +27,7 @@ def knot_in_focus(state: EditorState) -> KnotInHand | None:
 
 
 def _in_hand(place: KnotPlace, state: EditorState) -> KnotInHand:
-    knots = knots_of(state.document, place.direction)[place.curve]
+    knots = knots_of(state.document, place.direction)[place.curve, place.window]
     return KnotInHand(place, window_along(state.window, place.direction), knots)
 
 
@@ -44,7 +44,7 @@ def knot_choices(place: KnotPlace, state: EditorState) -> Choices:
 
 def curve_choices(place: KnotPlace, state: EditorState) -> Choices:
     """Return what can be done with the knots of one curve."""
-    own, curves = knots_of(state.document, place.direction)[place.curve], _curves(state, place.direction)
+    own, curves = knots_of(state.document, place.direction)[place.curve, place.window], _curves(state, place.direction)
     name = place.direction.curve_name(place.curve)
     new: dict[Place, float] = {KnotPlace(place.direction, place.curve, knot): default_knot(knot) for knot in KNOT_NAMES}
     on_all: dict[Place, float] = {

@@ -53,7 +53,7 @@ class KnotTransformations(QWidget):
         if not isinstance(place, KnotPlace):
             first, *_ = after.draft.formulation.active_curves(self._direction) or (0,)
             place = KnotPlace(self._direction, first, "u")
-        knots = knots_of(after.draft, self._direction)[place.curve]
+        knots = knots_of(after.draft, self._direction)[place.curve, place.window]
         self._plot.show_curve(KnotInHand(place, window_along(after.window, self._direction), knots))
         name = symbol_html(self._direction.letter, str(place.curve))
         self._title.setText(f"Transformations of {name}(<i>{self._direction.parameter}</i>)")

@@ -29,10 +29,10 @@ from qovr_app.zones.knot_transformations import KnotTransformations
 from qovr_app.zones.zone import FieldZone
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
 from qovr_core.checks import checked_knot
-from qovr_core.document import NET_SIZE
 from qovr_core.edits import Place, Zone, knots_of
 from qovr_core.geometry.folding import Parts, folding_parts, forward_range
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
+from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.number_texts import knot_step
 
 _NAMES = {Direction.ROWS: KNOT_NAMES, Direction.COLUMNS: KNOT_NAMES[::-1]}
@@ -83,7 +83,7 @@ class KnotsZone(FieldZone):
         super().show_state(before, after)
         self._transformations.show_state(before, after)
         if after.differs(before, "document", "draft"):
-            self._show_effects(after.document, knots_of(after.draft, self._direction))
+            self._show_effects(after.document, knots_of(after.draft, self._direction).in_window(0))
         if after.differs(before, "draft", "fields", "links"):
             self._show_slider(after)
 

@@ -19,8 +19,9 @@ from qovr_app.widgets.parts import MARGINS
 from qovr_app.zones.headings import Headings
 from qovr_app.zones.zone import FieldZone
 from qovr_core.checks import checked_number
-from qovr_core.document import NET_SIZE, NetIndex
+from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, Zone
+from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.number_texts import natural_step
 
 _ROWS = range(NET_SIZE - 1, -1, -1)

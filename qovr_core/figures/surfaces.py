@@ -71,8 +71,8 @@ def draw_network(document: Document, size: tuple[float, float] = _SIZE_INCHES) -
         axes.plot(*line.T, color=_NET_COLOR, linewidth=0.8, linestyle=":", zorder=1)
     network, basis = curve_network(document), bernstein.basis(CURVE_DEGREE, SAMPLES)
     for letter, parameter, curves, color in (
-        ("C", "u", network.rows, _ROW_COLOR),
-        ("K", "v", network.columns, _POINT_COLOR),
+        ("C", "u", network.rows[:, 0], _ROW_COLOR),
+        ("K", "v", network.columns[:, 0], _POINT_COLOR),
     ):
         for k, curve in enumerate(curves):
             points = basis @ curve

@@ -10,9 +10,10 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.checks import Verbatim, checked_knot, checked_number, described
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.errors import LONGEST_QUOTE, DocumentError, FileError, one_line
 from qovr_core.geometry.knots import KNOT_NAMES, Knots
+from qovr_core.geometry.windows import NET_SIZE
 
 SHAPES = {
     "control_points": (NET_SIZE, NET_SIZE, 3),

@@ -50,7 +50,7 @@ def control_points(patch: Patch) -> Array:
     The knots are clamped, 0 and 1 with multiplicity degree + 1 each way, so these are Bernstein coefficients.
     Where a reduction to degree 4 would not meet the patch to rounding, the degree stays 6.
     """
-    points: Array = patch.coefficients
+    points: Array = patch.coefficients[0, 0]
     for axis, degree in enumerate(patch.degree):
         if degree < PATCH_DEGREE:
             reduced = _along(_reduction(degree), points, axis)

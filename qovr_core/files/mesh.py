@@ -158,7 +158,7 @@ def _normals(patch: Patch, u: Array, v: Array, progress: Progress) -> Array:
 
 def _welded(patch: Patch, points: Array, normals: Array, measured: float | None) -> Mesh:
     """Make one vertex of grid points that are the same place, and drop triangles that have no area by it."""
-    edges = bspline.outline(patch.coefficients, _WELDED * bspline.diagonal(patch.coefficients))
+    edges = bspline.outline(patch.coefficients[0, 0], _WELDED * bspline.diagonal(patch.coefficients))
     shape = points.shape[:2]
     points, normals = points.reshape(-1, 3), normals.reshape(-1, 3)
     groups = _groups(edges, shape)

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.arrays import Array
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.archive import content, has, opened_archive
@@ -21,16 +22,19 @@ from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import NO_DATE, PROGRAM
 from qovr_core.files.reading import reading
-from qovr_core.geometry.knots import knot_array
+from qovr_core.geometry.knots import KnotTable
 
 
 def surface_arrays(evaluation: Evaluation) -> dict[str, Any]:
-    """Return the arrays of a surface by their public names; knots (5, 4) in the order r s u t and r s v t."""
+    """Return the arrays of a surface by their public names.
+
+    Knots are (5, 4), or of a net (curves, windows, 4), in the order r s u t and r s v t.
+    """
     document = evaluation.document
     return {
         "control_points": document.control_points,
-        "row_knots": knot_array(document.row_knots),
-        "column_knots": knot_array(document.column_knots),
+        "row_knots": _knots(document.row_knots),
+        "column_knots": _knots(document.column_knots),
         "u": evaluation.u,
         "v": evaluation.v,
         "raw": evaluation.raw,
@@ -40,7 +44,20 @@ def surface_arrays(evaluation: Evaluation) -> dict[str, Any]:
         "matrix": evaluation.matrix,
         "formulation": str(document.formulation),
         "program": PROGRAM,
+        **(_of_net(evaluation) if document.windows != (1, 1) else {}),
     }
+
+
+def _of_net(evaluation: Evaluation) -> dict[str, Any]:
+    """Return what a net has besides: lengths of windows, and its joints."""
+    document = evaluation.document
+    lengths_u, lengths_v = (np.diff(breakpoints) for breakpoints in evaluation.patch.breakpoints)
+    joints = {f"joints_{name}": np.array([str(joint) for joint in getattr(document.joints, name)]) for name in "uv"}
+    return {"lengths_u": lengths_u, "lengths_v": lengths_v, **joints, "closed": np.array(list(document.closed))}
+
+
+def _knots(knots: KnotTable) -> Array:
+    return knots.array[:, 0] if knots.windows == 1 else knots.array
 
 
 def write_npz(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from qovr_core.checks import Verbatim, checked_knot, described
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import DocumentError, quoted
 from qovr_core.evaluation import Evaluation
@@ -16,18 +16,23 @@ from qovr_core.files.format import Format
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.reading import reading
-from qovr_core.geometry.knots import Direction, Knots
+from qovr_core.geometry.knots import Direction, Knots, KnotTable
+from qovr_core.geometry.windows import NET_SIZE
+from qovr_core.joints import Joints
+from qovr_core.knot_input import entries
 
 FORMAT = "qovr-document"
-VERSION = 1
+VERSION = 2
+"""The newest version; a document of one window is written as version 1, which older programs read."""
 
-LARGEST_FILE = 1_000_000
-"""Bytes; a document is a few thousand, so a larger file is something else."""
+LARGEST_FILE = 40_000_000
+"""Bytes; the largest net takes half of it, so a larger file is something else."""
 
 _MOST_DIGITS = 4000
 """Digits of a whole number that are read at all: more take Python long, and it refuses them."""
 
 _KEYS = ("format", "version", "formulation", "samples", "control_points", "row_knots", "column_knots")
+_NET_KEYS = (*_KEYS, "joints")
 
 
 def read_document(path: Path) -> Document:
@@ -70,23 +75,30 @@ QOVR = Format(
 
 def document_to_json(document: Document) -> str:
     """Return the text of a ``.qovr`` file; every number reads back as itself."""
-    rows = [json.dumps(row) for row in document.control_points.tolist()]
-    entries = {
+    is_net = document.windows != (1, 1)
+    rows, columns = (_knot_lines(knots_of(document, direction), direction, is_net) for direction in Direction)
+    texts = {
         "format": json.dumps(FORMAT),
-        "version": json.dumps(VERSION),
+        "version": json.dumps(2 if is_net else 1),
         "formulation": json.dumps(str(document.formulation)),
         "samples": json.dumps(list(document.samples)),
-        "control_points": _lines(rows),
-        "row_knots": _knot_lines(document, Direction.ROWS),
-        "column_knots": _knot_lines(document, Direction.COLUMNS),
+        "control_points": _lines([json.dumps(row) for row in document.control_points.tolist()]),
+        "row_knots": rows,
+        "column_knots": columns,
     }
-    body = ",\n".join(f"  {json.dumps(key)}: {text}" for key, text in entries.items())
+    if is_net:
+        texts["joints"] = json.dumps({"u": document.joints.u, "v": document.joints.v})
+    if document.closed:
+        texts["closed"] = json.dumps(document.closed)
+    body = ",\n".join(f"  {json.dumps(key)}: {text}" for key, text in texts.items())
     return f"{{\n{body}\n}}\n"
 
 
-def _knot_lines(document: Document, direction: Direction) -> str:
-    curves = knots_of(document, direction)
-    return _lines([json.dumps(dict(zip(direction.knot_letters, knots, strict=True))) for knots in curves])
+def _knot_lines(knots: KnotTable, direction: Direction, is_net: bool) -> str:
+    curves = [
+        [dict(zip(direction.knot_letters, each, strict=True)) for each in curve] for curve in knots.array.tolist()
+    ]
+    return _lines([json.dumps(curve if is_net else curve[0]) for curve in curves])
 
 
 def _lines(texts: list[str]) -> str:
@@ -106,8 +118,13 @@ def document_from_json(text: str) -> Document:
         raise DocumentError("the file", described(data), "an object with the keys " + ", ".join(_KEYS))
     if data.get("format") != FORMAT:
         raise DocumentError("format", described(data.get("format")), repr(FORMAT))
-    _check_version(data.get("version"))
+    return _of_net(data) if _checked_version(data.get("version")) > 1 else _of_one_window(data)
+
+
+def _of_one_window(data: dict[str, Any]) -> Document:
+    """Return the document of version 1."""
     _check_keys(data, _KEYS, "")
+    entries(data["control_points"], "control_points", NET_SIZE)
     return Document(
         control_points=data["control_points"],
         row_knots=_curves(data["row_knots"], Direction.ROWS),
@@ -117,26 +134,56 @@ def document_from_json(text: str) -> Document:
     )
 
 
-def _check_version(version: object) -> None:
+def _of_net(data: dict[str, Any]) -> Document:
+    """Return the document of version 2."""
+    _check_keys(data, _NET_KEYS, "", may=("closed",))
+    joints = data["joints"]
+    if not isinstance(joints, dict):
+        raise DocumentError("joints", described(joints), "an object with the keys u, v")
+    _check_keys(joints, ("u", "v"), "joints.")
+    along_u, along_v = (tuple(entries(joints[name], f"joints.{name}")) for name in ("u", "v"))
+    return Document(
+        control_points=data["control_points"],
+        row_knots=_windows(data["row_knots"], Direction.ROWS),
+        column_knots=_windows(data["column_knots"], Direction.COLUMNS),
+        formulation=data["formulation"],
+        samples=data["samples"],
+        joints=Joints(along_u, along_v),
+        closed=data.get("closed", ()),
+    )
+
+
+def _checked_version(version: object) -> int:
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
-        raise DocumentError("version", described(version), str(VERSION))
+        raise DocumentError("version", described(version), f"1 or {VERSION}")
     if version > VERSION:
-        raise DocumentError("version", described(version), f"{VERSION}; a newer program wrote this file")
+        raise DocumentError("version", described(version), f"1 or {VERSION}; a newer program wrote this file")
+    return version
 
 
-def _check_keys(entries: dict[str, Any], keys: tuple[str, ...], place: str) -> None:
-    for key in entries:
-        if key not in keys:
-            raise DocumentError(f"{place}{quoted(key)}", "no key of a document", "only " + ", ".join(keys))
+def _check_keys(found: dict[str, Any], keys: tuple[str, ...], place: str, may: tuple[str, ...] = ()) -> None:
+    for key in found:
+        if key not in keys + may:
+            raise DocumentError(f"{place}{quoted(key)}", "no key of a document", "only " + ", ".join(keys + may))
     for key in keys:
-        if key not in entries:
+        if key not in found:
             raise DocumentError(f"{place}{key}", "missing", "all of " + ", ".join(keys))
 
 
-def _curves(value: object, direction: Direction) -> tuple[Knots, ...]:
+def _curves(value: object, direction: Direction) -> list[Knots]:
     if not isinstance(value, list) or len(value) != NET_SIZE:
         raise DocumentError(direction, described(value), f"a list of {NET_SIZE} entries")
-    return tuple(_knots(entry, f"{direction}[{k}]", direction.knot_letters) for k, entry in enumerate(value))
+    return [_knots(entry, f"{direction}[{k}]", direction.knot_letters) for k, entry in enumerate(value)]
+
+
+def _windows(value: object, direction: Direction) -> list[list[Knots]]:
+    return [
+        [
+            _knots(each, f"{direction}[{k}][{window}]", direction.knot_letters)
+            for window, each in enumerate(entries(curve, f"{direction}[{k}]"))
+        ]
+        for k, curve in enumerate(entries(value, direction))
+    ]
 
 
 def _knots(value: object, place: str, names: tuple[str, ...]) -> Knots:
@@ -149,7 +196,7 @@ def _knots(value: object, place: str, names: tuple[str, ...]) -> Knots:
 def _text(file: BinaryIO) -> str:
     content = file.read(LARGEST_FILE + 1)
     if len(content) > LARGEST_FILE:
-        raise ValueError(f"is larger than {LARGEST_FILE // 1000} kB; expected a document of a few kB")
+        raise ValueError(f"is larger than {LARGEST_FILE // 1000} kB; expected a document")
     try:
         return content.decode("utf-8-sig")
     except UnicodeDecodeError as error:

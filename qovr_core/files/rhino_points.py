@@ -12,7 +12,7 @@ from itertools import pairwise
 from uuid import UUID
 
 from qovr_core.arrays import Array
-from qovr_core.document import NET_SIZE
+from qovr_core.geometry.windows import NET_SIZE
 
 _POINT_CLASS = UUID("c3101a1d-f157-11d3-bfe7-0010830122f0").bytes_le
 """What openNURBS calls a point."""

@@ -82,7 +82,7 @@ def _finest(uu: Array, uv: Array, vv: Array) -> float:
 
 def _second_derivatives(patch: Patch) -> tuple[Array, Array, Array]:
     """Return bounds of |S_uu|, |S_uv| and |S_vv| on every piece."""
-    c = patch.coefficients
+    c = patch.coefficients[0, 0]
     along_u, along_v = bernstein.derivative(c, 0), bernstein.derivative(c, 1)
     seconds = (bernstein.derivative(along_u, 0), bernstein.derivative(along_u, 1), bernstein.derivative(along_v, 1))
     uu, uv, vv = (np.linalg.norm(_pieces(second), axis=-1).max(axis=(1, 2)) for second in seconds)

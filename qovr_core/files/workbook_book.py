@@ -13,7 +13,6 @@ from xml.parsers import expat
 
 import numpy as np
 
-from qovr_core.document import NET_SIZE
 from qovr_core.errors import DocumentError
 from qovr_core.files import archive as zipped
 from qovr_core.files import published_layout as layout
@@ -22,6 +21,7 @@ from qovr_core.files.reading import reading
 from qovr_core.files.sheet_cells import HEAD_ROWS, SharedText, SheetCells
 from qovr_core.files.sheet_read import read_cells
 from qovr_core.files.workbook_parts import LARGEST_SHEET, SheetPart, shared_texts, sheet_parts
+from qovr_core.geometry.windows import NET_SIZE
 
 _COMPOUND_FILE = b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1"
 """What workbooks of Excel before 2007 begin with, and all that are behind a password."""

@@ -10,7 +10,7 @@ import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.checks import LARGEST_MAGNITUDE, SAMPLES_RANGE, checked_knot, checked_number, described
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.errors import DocumentError, quoted
 from qovr_core.files import published_layout as layout
 from qovr_core.files.qovr_document import document_from_json
@@ -18,7 +18,8 @@ from qovr_core.files.sample_grid import grid_of
 from qovr_core.files.sheet_cells import SheetCells
 from qovr_core.files.workbook_book import Book, opened_book
 from qovr_core.formulations import Formulation
-from qovr_core.geometry.knots import KNOT_NAMES, Knots, knot_array
+from qovr_core.geometry.knots import KNOT_NAMES, Knots
+from qovr_core.geometry.windows import NET_SIZE
 
 _ROWS_OF_INPUTS = layout.FIRST_ROW + SAMPLES_RANGE[1] + 1
 """The inputs, and a row of samples and one more, by which the samples are counted where nothing else tells them."""
@@ -149,11 +150,13 @@ def _to_the_last_bit(document: Document, record: dict[str, Any]) -> Document:
         return document
     pairs = (
         (recorded.control_points, document.control_points),
-        (knot_array(recorded.row_knots), knot_array(document.row_knots)),
-        (knot_array(recorded.column_knots), knot_array(document.column_knots)),
+        (recorded.row_knots.array, document.row_knots.array),
+        (recorded.column_knots.array, document.column_knots.array),
     )
-    is_same = (recorded.formulation, recorded.samples) == (document.formulation, document.samples) and all(
-        np.allclose(cells, exact, rtol=layout.CELL_ROUNDING, atol=0) for exact, cells in pairs
+    is_same = (
+        recorded.windows == document.windows
+        and (recorded.formulation, recorded.samples) == (document.formulation, document.samples)
+        and all(np.allclose(cells, exact, rtol=layout.CELL_ROUNDING, atol=0) for exact, cells in pairs)
     )
     return recorded if is_same else document
 

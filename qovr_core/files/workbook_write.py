@@ -24,7 +24,6 @@ from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, timestamp_insisted_on
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.files.workbook_read import read_workbook
-from qovr_core.geometry.knots import knot_array
 
 LARGE_WORKBOOK = 100_000
 """Points beyond which people want to know beforehand what they wait for."""
@@ -228,13 +227,13 @@ def _point_rows(points: np.ndarray) -> Iterator[list[Any]]:
 
 
 def _row_knot_rows(document: Document) -> Iterator[list[Any]]:
-    knots = knot_array(document.row_knots)[::-1].tolist()
+    knots = document.row_knots.array[::-1, 0].tolist()
     for name, values in zip(layout.ROW_CURVE_NAMES, knots, strict=True):
         yield [name, *values]
 
 
 def _column_knot_rows(document: Document) -> Iterator[list[Any]]:
-    downward = knot_array(document.column_knots).T[::-1].tolist()
+    downward = document.column_knots.array[:, 0].T[::-1].tolist()
     for name, values in zip(layout.COLUMN_KNOT_NAMES, downward, strict=True):
         yield [name, *values]
     yield [None, *layout.COLUMN_CURVE_NAMES]

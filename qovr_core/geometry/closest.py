@@ -9,15 +9,18 @@ import numpy as np
 from qovr_core.arrays import Array, Flags, Indices, read_only
 from qovr_core.geometry.descent import Feet, descend
 from qovr_core.geometry.differential import ParametricSurface
+from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.rounding import in_own_unit, largest
 
-_SEED_SAMPLES = 65
-"""Samples each way from which the search starts: a polynomial of degree 6 turns many times less often."""
+_SEED_CELLS = 64
+"""Cells each way between the samples from which the search starts: a polynomial of degree 6 turns many times less
+often."""
 
-_CELL = 1 / (_SEED_SAMPLES - 1)
+_CELLS_A_WINDOW = 8
+"""Cells of every window, where there are so many windows that these are more."""
 
-_BESIDE = 1.5 * _CELL
-"""Parameters no further apart than this in u and v are taken to lead to one foot."""
+_BESIDE = 1.5
+"""Parameters no further apart than so many cells in u and v are taken to lead to one foot."""
 
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
@@ -40,7 +43,7 @@ class Closest:
 
     Parameters
     ----------
-    u, v : (k,) parameters of the foot, in [0, 1]
+    u, v : (k,) parameters of the foot, in the surface's domain
     points : (k, 3) the foot
     distance : (k,) distance of the given point from the foot
     """
@@ -52,11 +55,11 @@ class Closest:
 
 
 def closest_points(surface: ParametricSurface, points: Array) -> Closest:
-    """Return the points of a surface over [0, 1] x [0, 1] closest to given points.
+    """Return the points of a surface over its domain closest to given points.
 
     Every foot is a local minimum of the distance, exact to rounding, inside or on the border. It is the global
-    minimum wherever the nearest of 65 x 65 samples tell which sheets of the surface are near; folds narrower than
-    the samples can hide a nearer point.
+    minimum wherever the nearest of 65 x 65 samples, or 9 x 9 a window, tell which sheets of the surface are near;
+    folds narrower than the samples can hide a nearer point.
 
     Parameters
     ----------
@@ -72,6 +75,9 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     targets = np.asarray(points, dtype=np.float64)
     if targets.ndim != 2 or targets.shape[1] != 3:
         raise ValueError(f"points have shape {targets.shape}; expected (k, 3)")
+    breakpoints = surface.breakpoints if isinstance(surface, Patch) else None
+    if isinstance(surface, Patch):  # windows alike, however their lengths differ
+        surface = Patch(surface.coefficients, surface.degree)
     surface, unit = in_own_unit(surface, beside=largest(targets))
     targets = targets / unit
     seeds = _seed_grid(surface)
@@ -85,10 +91,12 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
         best.improve(rows, other)
         place = np.searchsorted(rows, candidates.target)
         at = seeds.at[candidates.sample]
-        is_new = _apart(at, start[place]) & _apart(at, other.at[place])
+        is_new = _apart(at, start[place], seeds.cell) & _apart(at, other.at[place], seeds.cell)
         candidates = candidates.of(is_new & (candidates.promise < best.distance[candidates.target]))
     _look_around(surface, seeds, targets, best)
     u, v = best.at.T.copy()
+    if breakpoints is not None:
+        u, v = (np.interp(at, np.arange(len(ends)), ends) for at, ends in zip((u, v), breakpoints, strict=True))
     return Closest(*map(read_only, (u, v, best.feet * unit, best.distance * unit)))
 
 
@@ -102,6 +110,8 @@ class _Seeds:
     is_singular : (q,) whether some direction's tangent is so short there that it vanishes within a cell or so: the
         distance may have a minimum to either side of it, and none that its own derivatives at a sample tell
     last_step : the length of a last step
+    cell : (2,) what the parameters of neighbours differ by
+    low, counts : (2,) where the samples begin, and how many there are each way
     """
 
     at: Array
@@ -109,20 +119,32 @@ class _Seeds:
     tangents: Array
     is_singular: Flags
     last_step: float
+    cell: Array
+    low: Array
+    counts: Indices
+
+    def nearest_to(self, at: Array) -> Indices:
+        """Return the samples nearest to parameters (k, 2)."""
+        u, v = np.clip(np.rint((at - self.low) / self.cell).astype(np.intp), 0, self.counts - 1).T
+        nearest: Indices = u * self.counts[1] + v
+        return nearest
 
 
 def _seed_grid(surface: ParametricSurface) -> _Seeds:
-    parameters = np.linspace(0.0, 1.0, _SEED_SAMPLES)
-    at = np.stack(np.meshgrid(parameters, parameters, indexing="ij"), axis=-1).reshape(-1, 2)
+    (low_u, high_u), (low_v, high_v) = surface.domain
+    windows = np.array(surface.windows if isinstance(surface, Patch) else (1, 1))[::-1]
+    counts = np.maximum(_SEED_CELLS, _CELLS_A_WINDOW * windows) + 1
+    low, high = np.array([low_u, low_v]), np.array([high_u, high_v])
+    u, v = (np.linspace(*along) for along in zip(low, high, counts.tolist(), strict=True))
+    cell = (high - low) / (counts - 1)
+    at = np.stack(np.meshgrid(u, v, indexing="ij"), axis=-1).reshape(-1, 2)
     orders = ((0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
-    points, su, sv, suu, suv, svv = (
-        surface.derivative(parameters, parameters, *order).reshape(-1, 3) for order in orders
-    )
+    points, su, sv, suu, suv, svv = (surface.derivative(u, v, *order).reshape(-1, 3) for order in orders)
     with np.errstate(over="ignore"):  # so large a surface is searched again in other units
         size = float(np.linalg.norm(np.ptp(points, axis=0)))
     bends = sum(np.linalg.norm(second, axis=1) for second in (suu, suv, suv, svv))
-    is_singular = _shortest_tangents(su, sv) <= _CELL / 2 * bends
-    return _Seeds(at, points, np.stack([su, sv], axis=1), is_singular, _LAST_STEP * size)
+    is_singular = _shortest_tangents(su, sv) <= cell.max() / 2 * bends
+    return _Seeds(at, points, np.stack([su, sv], axis=1), is_singular, _LAST_STEP * size, cell, low, counts)
 
 
 def _shortest_tangents(su: Array, sv: Array) -> Array:
@@ -134,11 +156,11 @@ def _shortest_tangents(su: Array, sv: Array) -> Array:
 
 def _look_around(surface: ParametricSurface, seeds: _Seeds, targets: Array, best: Feet) -> None:
     """Improve the feet beside which a tangent vanishes: there a step of Newton's method may be 0 on a ridge."""
-    u, v = np.rint(best.at * (_SEED_SAMPLES - 1)).astype(np.intp).T
-    rows = np.flatnonzero(seeds.is_singular[u * _SEED_SAMPLES + v])
-    at, width = best.at[rows], _BESIDE
+    rows = np.flatnonzero(seeds.is_singular[seeds.nearest_to(best.at)])
+    at, width = best.at[rows], _BESIDE * seeds.cell
+    low, high = np.array(surface.domain).T
     for _ in range(_WINDOWS if rows.size else 0):
-        tried = np.clip(at[:, None] + width * _WINDOW, 0.0, 1.0)
+        tried = np.clip(at[:, None] + width * _WINDOW, low, high)
         points = surface.derivative_at(tried[..., 0].ravel(), tried[..., 1].ravel(), 0, 0).reshape(*tried.shape[:2], 3)
         nearest = np.linalg.norm(points - targets[rows, None], axis=2).argmin(axis=1)
         at, width = tried[np.arange(len(rows)), nearest], width / _FINER
@@ -163,16 +185,16 @@ class _Candidates:
 
 def _candidates(seeds: _Seeds, targets: Array, distance: Array, nearest: Indices, best: Feet) -> _Candidates:
     """Return the nearest samples that do not lie beside the foot already found, and may lead to a nearer one."""
-    target, rank = np.nonzero(_apart(seeds.at[nearest], best.at[:, None]))
+    target, rank = np.nonzero(_apart(seeds.at[nearest], best.at[:, None], seeds.cell))
     sample, far = nearest[target, rank], distance[target, rank]
     direction = (seeds.points[sample] - targets[target]) / np.where(far > 0, far, 1.0)[:, None]
-    gain = np.abs(np.einsum("kpd,kd->kp", seeds.tangents[sample], direction)).sum(axis=1) * (_CELL / 2)
+    gain = np.abs(np.einsum("kpd,kd->kp", seeds.tangents[sample], direction)) @ (seeds.cell / 2)
     candidates = _Candidates(target, sample, far - gain)
     candidates = candidates.of(candidates.promise < best.distance[target])
     return candidates.of(np.lexsort((candidates.promise, candidates.target)))
 
 
-def _apart(a: Array, b: Array) -> Flags:
+def _apart(a: Array, b: Array, cell: Array) -> Flags:
     """Return which parameters, (..., 2), are so far apart that they need not lead to one foot."""
-    apart: Flags = np.abs(a - b).max(axis=-1) > _BESIDE
+    apart: Flags = (np.abs(a - b) / cell).max(axis=-1) > _BESIDE
     return apart

@@ -99,8 +99,8 @@ def isolines(patch: Patch, count: int = ISOLINES) -> tuple[Array, Array]:
     """Return isolines of a patch as Bernstein coefficients (count, 7, 3): those along u, then those along v."""
     basis = bernstein.basis(CURVE_DEGREE, np.linspace(0.0, 1.0, count))
     return (
-        read_only(np.einsum("nb,abk->nak", basis, patch.coefficients)),
-        read_only(np.einsum("na,abk->nbk", basis, patch.coefficients)),
+        read_only(np.einsum("nb,abk->nak", basis, patch.coefficients[0, 0])),
+        read_only(np.einsum("na,abk->nbk", basis, patch.coefficients[0, 0])),
     )
 
 

@@ -68,19 +68,19 @@ def _newton_steps(surface: ParametricSurface, at: Array, residual: Array) -> tup
     mixed = np.einsum(dot, su, sv) + np.einsum(dot, residual, suv)
     scale = tangents.sum(axis=1, keepdims=True)
     scale = np.maximum(scale, _LEAST_SCALE)
-    step = _bounded_steps(at, gradient / scale, diagonal / scale, mixed / scale[:, 0])
+    step = _bounded_steps(at, gradient / scale, diagonal / scale, mixed / scale[:, 0], np.array(surface.domain).T)
     # Where a tangent vanishes, a long step is short in space by its first derivative alone.
     bends = np.sqrt(np.einsum(dot, suu, suu) + 2 * np.einsum(dot, suv, suv) + np.einsum(dot, svv, svv))
     length = (np.abs(step) * np.sqrt(tangents)).sum(axis=1) + (step**2).sum(axis=1) * bends / 2
     return step, length
 
 
-def _bounded_steps(at: Array, gradient: Array, diagonal: Array, mixed: Array) -> Array:
+def _bounded_steps(at: Array, gradient: Array, diagonal: Array, mixed: Array, bounds: Array) -> Array:
     """Return -H^-1 gradient, (k, 2), for a Hessian made positive definite, with no step across the border.
 
     A parameter that stands on the border and would leave it is held there; the other then moves alone.
     """
-    held = _leaves(at, -gradient)
+    held = _leaves(at, -gradient, bounds)
     gradient = np.where(held, 0.0, gradient)
     mixed = np.where(held.any(axis=1), 0.0, mixed)
     middle, reach = diagonal.mean(axis=1), np.hypot(np.diff(diagonal, axis=1)[:, 0] / 2, mixed)
@@ -88,14 +88,15 @@ def _bounded_steps(at: Array, gradient: Array, diagonal: Array, mixed: Array) ->
     diagonal = diagonal + np.maximum(least - (middle - reach), 0.0)[:, None]
     determinant = diagonal[:, 0] * diagonal[:, 1] - mixed**2
     step = (mixed[:, None] * gradient[:, ::-1] - diagonal[:, ::-1] * gradient) / determinant[:, None]
-    alone = _leaves(at, step).any(axis=1)
+    alone = _leaves(at, step, bounds).any(axis=1)
     step[alone] = (-gradient / diagonal)[alone]
-    return np.clip(at + step, 0.0, 1.0) - at
+    return np.clip(at + step, *bounds) - at
 
 
-def _leaves(at: Array, direction: Array) -> Flags:
-    """Return which parameters stand on the border of [0, 1] and would move out of it."""
-    leaves: Flags = ((at <= 0.0) & (direction < 0)) | ((at >= 1.0) & (direction > 0))
+def _leaves(at: Array, direction: Array, bounds: Array) -> Flags:
+    """Return which parameters stand on the border and would move out of it."""
+    low, high = bounds
+    leaves: Flags = ((at <= low) & (direction < 0)) | ((at >= high) & (direction > 0))
     return leaves
 
 
@@ -105,10 +106,10 @@ def _backtrack(
     """Move some parameters by their steps, halved until the distance falls; return which of them moved."""
     active, step = steps
     before = np.linalg.norm(feet[active] - targets[active], axis=1)
-    waiting = np.arange(len(active))
+    waiting, bounds = np.arange(len(active)), np.array(surface.domain).T
     for _ in range(_MOST_HALVINGS):
         rows = active[waiting]
-        trial = np.clip(at[rows] + step[waiting], 0.0, 1.0)
+        trial = np.clip(at[rows] + step[waiting], *bounds)
         reached = surface.derivative_at(trial[:, 0], trial[:, 1], 0, 0)
         nearer = np.linalg.norm(reached - targets[rows], axis=1) < before[waiting]
         at[rows[nearer]], feet[rows[nearer]] = trial[nearer], reached[nearer]

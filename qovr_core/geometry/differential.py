@@ -10,16 +10,23 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
 
+Domain = tuple[tuple[float, float], tuple[float, float]]
+"""The first and the last parameter along u, and along v."""
+
 
 class ParametricSurface(Protocol):
-    """What everything that looks at a surface S(u, v) over [0, 1] x [0, 1] asks it.
+    """What everything that looks at a surface S(u, v) over a rectangle asks it.
 
     ``Patch`` is one; so are the splines with which ``qovr_core.laboratory`` compares it.
     """
 
     @property
+    def domain(self) -> Domain:
+        """The rectangle of its parameters: the first and the last along u, and along v."""
+
+    @property
     def breaks(self) -> tuple[Array, Array]:
-        """The joints inside (0, 1) in u and in v, across which the surface is another polynomial."""
+        """The joints inside the domain in u and in v, across which the surface is another polynomial."""
 
     def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative on a grid of (n,) and (m,) parameters, (n, m, 3)."""
@@ -133,9 +140,10 @@ def normals(surface: ParametricSurface, u: npt.ArrayLike, v: npt.ArrayLike, *, s
 
 def _normals_inward(surface: ParametricSurface, u: Array, v: Array, singular: float) -> Array:
     """Return the unit derivative of S_u x S_v toward the domain's centre; (0, 0, 1) where it vanishes."""
+    middle_u, middle_v = (sum(ends) / 2 for ends in surface.domain)
     su, sv = surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1)
     suu, suv, svv = (surface.derivative(u, v, *orders) for orders in ((2, 0), (1, 1), (0, 2)))
-    to_u, to_v = (0.5 - u)[:, None, None], (0.5 - v)[None, :, None]
+    to_u, to_v = (middle_u - u)[:, None, None], (middle_v - v)[None, :, None]
     vectors: Array = to_u * (np.cross(suu, sv) + np.cross(su, suv))
     vectors += to_v * (np.cross(suv, sv) + np.cross(su, svv))
     lengths = np.linalg.norm(vectors, axis=-1)

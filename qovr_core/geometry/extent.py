@@ -1,4 +1,4 @@
-"""The exact box of a patch: branch and bound on Bernstein coefficients, whose hull contains the surface."""
+"""The exact box of patches: branch and bound on Bernstein coefficients, whose hull contains the surface."""
 
 from __future__ import annotations
 
@@ -22,19 +22,19 @@ _MOST_PIECES = 4096
 
 @np.errstate(under="ignore")  # what underflows is nothing
 def bounding_box(coefficients: Array) -> Array:
-    """Return the exact box of a tensor-product Bernstein patch over [0, 1] x [0, 1].
+    """Return the exact box of tensor-product Bernstein patches, each over [0, 1] x [0, 1], together.
 
     Parameters
     ----------
-    coefficients : (a, b, d), finite
+    coefficients : (..., a, b, d), finite
 
     Returns
     -------
     (d, 2) float64, columns min and max; every bound is attained by the surface to rounding
     """
-    axes = np.moveaxis(coefficients, -1, 0)
+    a, b, d = coefficients.shape[-3:]
+    axes = np.moveaxis(coefficients.reshape(-1, a, b, d), -1, 0)
     highest = _maxima(np.concatenate([-axes, axes]))
-    d = len(axes)
     return np.stack([-highest[:d], highest[d:]], axis=1)
 
 
@@ -44,10 +44,11 @@ def _corners(pieces: Array) -> Array:
 
 
 def _maxima(functions: Array) -> Array:
-    """Return the maximum over [0, 1] x [0, 1] of each function given by Bernstein coefficients (k, a, b)."""
-    best: Array = _corners(functions).max(axis=1)
-    slack = _TOLERANCE * np.abs(functions).max(axis=(1, 2))
-    pieces, owner = functions, np.arange(len(functions), dtype=np.intp)
+    """Return the maximum of each function over all its pieces, given by their Bernstein coefficients (k, p, a, b)."""
+    count, parts, a, b = functions.shape
+    pieces, owner = functions.reshape(-1, a, b), np.repeat(np.arange(count, dtype=np.intp), parts)
+    best: Array = _corners(pieces).reshape(count, -1).max(axis=1)
+    slack = _TOLERANCE * np.abs(functions).max(axis=(1, 2, 3))
     for _ in range(_DEEPEST):
         bound = pieces.max(axis=(1, 2))
         open_pieces = np.flatnonzero(bound > (best + slack)[owner])

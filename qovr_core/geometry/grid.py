@@ -2,21 +2,23 @@
 
 A grid of n x m points is one product of an (n, degree + 1) basis with a (degree + 1, 3 m) table, which writes
 the points in their final order. Blocks of rows that fit a core's cache keep the product off the main memory; large
-grids are worth one thread a core.
+grids are worth one thread a core. A polynomial in pieces has one such product a piece along u: each sample belongs to
+one piece, so that the cost grows with samples and with pieces, never with both at once.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
 from functools import cache
 from itertools import pairwise
 from typing import TypeVar
 
 import numpy as np
 
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, Indices
 
 BLOCK_BYTES = 288 * 1024
 """Result of one block: it stays in a core's cache, and OpenBLAS, which threads products beyond 2^18 multiplications
@@ -25,14 +27,43 @@ of its own accord, leaves it alone. Its threads would spin on for a while and ta
 THREADED_BYTES = 4 * 1024 * 1024
 """Results smaller than this are done in the caller's thread; larger ones are bound by memory."""
 
+TABLE_BYTES = 4 * 1024 * 1024
+"""Size of the curves in v of the pieces along u that are worked on together: little beside large results."""
+
+_Block = tuple[int, slice]
+"""The number of a piece along u, and some of its rows."""
+
 _Partial = TypeVar("_Partial")
 
 
-def _table(coefficients: Array, basis_v: Array) -> Array:
-    """Return (a, 3 m): for every coefficient along u, the points of its curve in v."""
-    a, b, d = coefficients.shape
-    along_v = basis_v @ coefficients.transpose(1, 0, 2).reshape(b, a * d)
-    return along_v.reshape(-1, a, d).transpose(1, 0, 2).reshape(a, -1)
+@dataclass(frozen=True, eq=False)
+class PieceBasis:
+    """The basis functions at the parameters of one direction, piece by piece of a piecewise polynomial.
+
+    Parameters
+    ----------
+    values : (k, degree + 1), rows by piece
+    starts : (pieces + 1,) the first row of each piece, and the number of rows
+    """
+
+    values: Array
+    starts: Sequence[int]
+
+    def rows(self, piece: int) -> slice:
+        """Return the rows of a piece."""
+        return slice(self.starts[piece], self.starts[piece + 1])
+
+
+def _table(coefficients: Array, along_v: PieceBasis) -> Array:
+    """Return (n, a, d M) for pieces (m, n, a, b, d): for every coefficient along u, the points of its curve in v."""
+    m, n, a, b, d = coefficients.shape
+    table = np.empty((n, a, len(along_v.values), d))
+    for piece in range(m):
+        rows = along_v.rows(piece)
+        across = coefficients[piece].transpose(2, 0, 1, 3).reshape(b, n * a * d)
+        values = along_v.values[rows] @ across
+        table[:, :, rows] = values.reshape(-1, n, a, d).transpose(1, 2, 0, 3)
+    return table.reshape(n, a, -1)
 
 
 @cache
@@ -47,11 +78,9 @@ def _pool() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(_threads(), thread_name_prefix="qovr-grid")
 
 
-def _over_rows(rows: int, row_bytes: int, work: Callable[[list[slice]], _Partial]) -> list[_Partial]:
-    """Run ``work`` on all rows, cut into blocks, in as many threads as the size is worth."""
-    step = max(1, BLOCK_BYTES // row_bytes)
-    blocks = [slice(k, min(k + step, rows)) for k in range(0, rows, step)]
-    workers = min(_threads(), len(blocks)) if rows * row_bytes >= THREADED_BYTES else 1
+def _over_blocks(blocks: list[_Block], size: int, work: Callable[[list[_Block]], _Partial]) -> list[_Partial]:
+    """Run ``work`` on blocks, in as many threads as the size of their result, in bytes, is worth."""
+    workers = min(_threads(), len(blocks)) if size >= THREADED_BYTES else 1
     if workers == 1:
         return [work(blocks)]
     cuts = [len(blocks) * k // workers for k in range(workers + 1)]
@@ -59,7 +88,16 @@ def _over_rows(rows: int, row_bytes: int, work: Callable[[list[slice]], _Partial
     return [work(blocks[: cuts[1]]), *(other.result() for other in others)]
 
 
-@np.errstate(under="ignore")  # what underflows is nothing
+def _blocks(basis: PieceBasis, pieces: range, row_bytes: int) -> list[_Block]:
+    """Return the rows of some pieces in blocks that stay in a core's cache."""
+    step = max(1, BLOCK_BYTES // row_bytes)
+    return [
+        (piece, slice(k, min(k + step, basis.starts[piece + 1])))
+        for piece in pieces
+        for k in range(basis.starts[piece], basis.starts[piece + 1], step)
+    ]
+
+
 def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     """Return the points of a tensor-product polynomial.
 
@@ -73,16 +111,39 @@ def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     -------
     (n, m, d) float64, u along the first axis
     """
-    n, m, d = len(basis_u), len(basis_v), coefficients.shape[2]
-    table = _table(coefficients, basis_v)
-    points = np.empty((n, m, d))
-    flat = points.reshape(n, m * d)
+    along_u, along_v = (PieceBasis(basis, (0, len(basis))) for basis in (basis_u, basis_v))
+    return evaluate_pieces(coefficients[None, None], along_u, along_v)
 
-    def work(blocks: list[slice]) -> None:
-        for rows in blocks:
-            np.matmul(basis_u[rows], table, out=flat[rows])
 
-    _over_rows(n, flat.itemsize * m * d, work)
+@np.errstate(under="ignore")  # what underflows is nothing
+def evaluate_pieces(coefficients: Array, along_u: PieceBasis, along_v: PieceBasis) -> Array:
+    """Return the points of a piecewise tensor-product polynomial.
+
+    Parameters
+    ----------
+    coefficients : (m, n, a, b, d), the pieces' order along v first, inside each u first
+    along_u, along_v : the bases for N parameters in n pieces, and for M in m
+
+    Returns
+    -------
+    (N, M, d) float64, u along the first axis
+    """
+    n, a, d = coefficients.shape[1], coefficients.shape[2], coefficients.shape[4]
+    rows, width = len(along_u.values), len(along_v.values) * d
+    points = np.empty((rows, len(along_v.values), d))
+    flat = points.reshape(rows, width)
+    row_bytes = points.itemsize * width
+    together = max(1, TABLE_BYTES // max(a * row_bytes, 1))
+    for first in range(0, n, together):
+        pieces = range(first, min(first + together, n))
+        table = _table(coefficients[:, first : pieces.stop], along_v)
+
+        def work(blocks: list[_Block], table: Array = table, first: int = first) -> None:
+            for piece, some in blocks:
+                np.matmul(along_u.values[some], table[piece - first], out=flat[some])
+
+        size = row_bytes * (along_u.starts[pieces.stop] - along_u.starts[first])
+        _over_blocks(_blocks(along_u, pieces, max(row_bytes, 1)), size, work)
     return points
 
 
@@ -111,6 +172,31 @@ def evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> A
 
 
 @np.errstate(under="ignore")  # what underflows is nothing
+def evaluate_scattered_pieces(
+    coefficients: Array, pieces: tuple[Indices, Indices], basis_u: Array, basis_v: Array
+) -> Array:
+    """Return the values of a piecewise tensor-product polynomial at k places, (k, d).
+
+    Parameters
+    ----------
+    coefficients : (m, n, a, b, d)
+    pieces : for every place the piece's number along v and along u, (k,) each
+    basis_u, basis_v : (k, a) and (k, b), one row a place
+    """
+    m, n, a, b, d = coefficients.shape
+    if m * n == 1:
+        return evaluate_scattered(coefficients[0, 0], basis_u, basis_v)
+    values = np.empty((len(basis_u), d))
+    step = max(1, BLOCK_BYTES // (coefficients.itemsize * a * b * d))
+    for k in range(0, len(values), step):
+        places = slice(k, k + step)
+        own = coefficients[pieces[0][places], pieces[1][places]].reshape(-1, a, b * d)
+        along_v = (basis_u[places, None] @ own).reshape(-1, b, d)
+        np.einsum("kb,kbd->kd", basis_v[places], along_v, out=values[places])
+    return values
+
+
+@np.errstate(under="ignore")  # what underflows is nothing
 def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     """Return the box of the points alone, (d, 2) with columns min and max; no more than a block of them is ever held.
 
@@ -121,12 +207,14 @@ def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
     basis_v : (m, b)
     """
     m, d = len(basis_v), coefficients.shape[2]
-    table = _table(coefficients, basis_v)
+    along_u, along_v = (PieceBasis(basis, (0, len(basis))) for basis in (basis_u, basis_v))
+    table = _table(coefficients[None, None], along_v)[0]
+    row_bytes = table.itemsize * m * d
 
-    def work(blocks: list[slice]) -> tuple[Array, Array]:
+    def work(blocks: list[_Block]) -> tuple[Array, Array]:
         low, high = np.full(m * d, np.inf), np.full(m * d, -np.inf)
-        held = np.empty((len(basis_u[blocks[0]]), m * d))
-        for rows in blocks:
+        held = np.empty((len(basis_u[blocks[0][1]]), m * d))
+        for _, rows in blocks:
             u = basis_u[rows]
             block = held[: len(u)]
             np.matmul(u, table, out=block)
@@ -134,6 +222,6 @@ def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
             np.maximum(high, block.max(axis=0), out=high)
         return low.reshape(m, d).min(axis=0), high.reshape(m, d).max(axis=0)
 
-    parts = _over_rows(len(basis_u), table.itemsize * m * d, work)
+    parts = _over_blocks(_blocks(along_u, range(1), row_bytes), len(basis_u) * row_bytes, work)
     low, high = (np.array(bounds) for bounds in zip(*parts, strict=True))
     return np.stack([low.min(axis=0), high.max(axis=0)], axis=1)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 
 import numpy as np
 
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, read_only
 from qovr_core.checks import checked_knot
 
 KNOT_NAMES = ("r", "s", "u", "t")
@@ -48,11 +48,13 @@ class Direction(StrEnum):
 
 @dataclass(frozen=True, slots=True)
 class KnotPlace:
-    """Where one knot stands: its family of curves, the curve's number, and ``r``, ``s``, ``u`` (v_ip) or ``t``."""
+    """Where one knot stands: its family of curves, the curve's number, ``r``, ``s``, ``u`` (v_ip) or ``t``, and the
+    window along the curve."""
 
     direction: Direction
     curve: int
     name: str
+    window: int = 0
 
     @property
     def number(self) -> int:
@@ -64,8 +66,13 @@ class KnotPlace:
         """What the paper writes it as: v for the knot of a column curve that is u on a row."""
         return self.direction.knot_letters[self.number]
 
+    def text(self, windows: int) -> str:
+        """Return the place in the words of a document whose curves run through so many windows."""
+        window = f"[{self.window}]" if windows > 1 else ""
+        return f"{self.direction}[{self.curve}]{window}.{self.letter}"
+
     def __str__(self) -> str:
-        return f"{self.direction}[{self.curve}].{self.letter}"
+        return self.text(self.window + 1)
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,6 +121,53 @@ class Knots:
         return 4 if self.is_quartic else 6
 
 
-def knot_array(knots: Sequence[Knots]) -> Array:
-    """Return the knots of several curves as (k, 4) float64 in the order of ``KNOT_NAMES``."""
-    return np.array([tuple(curve) for curve in knots], dtype=np.float64)
+@dataclass(frozen=True, eq=False)
+class KnotTable:
+    """The knots of a family of curves; ``table[curve, window]`` are those of one curve in one window along it.
+
+    Parameters
+    ----------
+    array : (curves, windows, 4) float64 in the order of ``KNOT_NAMES``; kept read-only
+
+    Raises
+    ------
+    ValueError : the array has another shape
+
+    Examples
+    --------
+    >>> table = KnotTable(np.full((5, 1, 4), 0.5))
+    >>> len(table), table.windows, table[4, 0]
+    (5, 1, Knots(r=0.5, s=0.5, u=0.5, t=0.5))
+    """
+
+    array: Array
+
+    def __post_init__(self) -> None:
+        array = np.array(self.array, dtype=np.float64)
+        if array.ndim != 3 or array.shape[2] != len(KNOT_NAMES):
+            raise ValueError(f"knots have shape {array.shape}; expected (curves, windows, {len(KNOT_NAMES)})")
+        object.__setattr__(self, "array", read_only(array))
+
+    @property
+    def windows(self) -> int:
+        """Through how many windows each curve runs."""
+        return int(self.array.shape[1])
+
+    def __len__(self) -> int:
+        return int(self.array.shape[0])
+
+    def __getitem__(self, at: tuple[int, int]) -> Knots:
+        curve, window = at
+        return Knots(*self.array[curve, window].tolist())
+
+    def in_window(self, window: int) -> tuple[Knots, ...]:
+        """Return the knots of all curves in one window along them."""
+        return tuple(Knots(*knots) for knots in self.array[:, window].tolist())
+
+    __iter__ = None  # without it, Python would try numbers in place of pairs
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, KnotTable) and np.array_equal(self.array, other.array)
+
+    def __hash__(self) -> int:
+        return hash(self.array.tobytes())

@@ -1,15 +1,17 @@
-"""The exact patch: one tensor-product polynomial that everything else asks."""
+"""The exact surface: a tensor-product polynomial in every window, and everything else asks it."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.arrays import Array, read_only
-from qovr_core.geometry import bernstein, differential, extent, grid, sampled_box
-from qovr_core.geometry.differential import Curvature
+from qovr_core.arrays import Array, Indices, read_only
+from qovr_core.geometry import bernstein, differential, extent, grid, locate, window_boxes
+from qovr_core.geometry.differential import Curvature, Domain
 from qovr_core.geometry.edges import Edge
 
 PATCH_DEGREE = 6
@@ -18,21 +20,26 @@ PATCH_DEGREE = 6
 _SINGULAR = 1e-12
 """|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
 
-_NO_JOINTS = read_only(np.empty(0))
+_SHAPE = (PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3)
 
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """A polynomial patch S(u, v) over [0, 1] x [0, 1] in Bernstein form.
+    """A surface S(u, v) that is one polynomial of degree 6 each way in every window of a net, in Bernstein form.
+
+    Its domain is a rectangle: along u the windows' lengths follow each other from 0, along v likewise. One window of
+    length 1 is a polynomial over [0, 1] x [0, 1].
 
     Parameters
     ----------
-    coefficients : (7, 7, 3) float64, u along the first axis; kept read-only
+    coefficients : (m, n, 7, 7, 3) float64, m windows along v and n along u, and inside each u along the first axis; or
+        (7, 7, 3) for one window; kept read-only
     degree : true degree in u and in v, each 4 or 6
+    lengths : of the windows along u, (n,), and along v, (m,); None where all are 1
 
     Raises
     ------
-    ValueError : the coefficients have another shape
+    ValueError : the coefficients or the lengths have another shape
 
     Examples
     --------
@@ -48,24 +55,58 @@ class Patch:
 
     coefficients: Array
     degree: tuple[int, int] = (PATCH_DEGREE, PATCH_DEGREE)
+    lengths: tuple[Array, Array] | None = None
 
     def __post_init__(self) -> None:
-        coefficients = np.array(self.coefficients, dtype=np.float64)
-        if coefficients.shape != (PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3):
-            raise ValueError(f"patch coefficients have shape {coefficients.shape}; expected (7, 7, 3)")
+        coefficients = np.asarray(self.coefficients, dtype=np.float64)
+        if coefficients.flags.writeable:
+            coefficients = coefficients.copy()
+        if coefficients.shape == _SHAPE:
+            coefficients = coefficients[None, None]
+        if coefficients.ndim != 5 or coefficients.shape[2:] != _SHAPE:
+            raise ValueError(f"patch coefficients have shape {coefficients.shape}; expected (m, n, 7, 7, 3)")
         object.__setattr__(self, "coefficients", read_only(coefficients))
+        m, n = self.windows
+        for lengths, count in zip(self.lengths or (), (n, m), strict=False):
+            if lengths.shape != (count,):
+                raise ValueError(f"lengths have shape {lengths.shape}; expected ({count},)")
+
+    @property
+    def windows(self) -> tuple[int, int]:
+        """How many windows there are along v and along u, (m, n)."""
+        m, n = self.coefficients.shape[:2]
+        return m, n
+
+    @cached_property
+    def breakpoints(self) -> tuple[Array, Array]:
+        """Where the windows begin and the last one ends, along u, (n + 1,), and along v, (m + 1,)."""
+        m, n = self.windows
+        lengths = self.lengths or (np.ones(n), np.ones(m))
+        u, v = (read_only(np.concatenate([[0.0], np.cumsum(each)])) for each in lengths)
+        return u, v
 
     @property
     def breaks(self) -> tuple[Array, Array]:
-        """The joints inside (0, 1) in u and in v; one polynomial has none."""
-        return _NO_JOINTS, _NO_JOINTS
+        """The joints inside the domain in u and in v; one polynomial has none."""
+        u, v = self.breakpoints
+        return u[1:-1], v[1:-1]
+
+    @property
+    def domain(self) -> Domain:
+        """The first and the last parameter along u, and along v."""
+        (u0, *_, u1), (v0, *_, v1) = (ends.tolist() for ends in self.breakpoints)
+        return (u0, u1), (v0, v1)
+
+    def window(self, a: int, b: int) -> Patch:
+        """Return the patch of one window, the a-th along v and the b-th along u, over [0, 1] x [0, 1]."""
+        return Patch(self.coefficients[a, b], self.degree)
 
     def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the points S(u, v) on a grid.
 
         Parameters
         ----------
-        u : (n,) parameters along u; the patch's domain is [0, 1], beyond it the polynomial goes on
+        u : (n,) parameters along u in the domain; beyond it the outer polynomials go on
         v : (m,) parameters along v
 
         Returns
@@ -78,21 +119,31 @@ class Patch:
         """
         return self.derivative(u, v, 0, 0)
 
-    def sampled_box(self, n: int, m: int) -> Array:
-        """Return the box of n x m evenly spaced samples, few of which are computed; see ``sampled_box.sampled_box``.
+    def samples(self, intervals_u: Indices, intervals_v: Indices) -> Array:
+        """Return the points at evenly spaced parameters of every window, the joints once.
 
         Parameters
         ----------
-        n, m : samples along u and along v, each 2 or more
+        intervals_u, intervals_v : between samples, of every window along u, (n,), and along v, (m,)
+
+        Returns
+        -------
+        (sum of intervals_u + 1, sum of intervals_v + 1, 3) float64, read-only, indexed [iu, iv]; on a joint those of
+        the window that begins there
+        """
+        return self._on_grid(locate.even(intervals_u), locate.even(intervals_v), (0, 0))
+
+    def sampled_box(self, intervals_u: Indices, intervals_v: Indices) -> Array:
+        """Return the box of ``samples``, few of which are computed; see ``window_boxes.sampled_box``.
 
         Returns
         -------
         (3, 2) float64, read-only, columns min and max
         """
-        return read_only(sampled_box.sampled_box(self.coefficients, n, m))
+        return read_only(window_boxes.sampled_box(self.coefficients, intervals_u, intervals_v))
 
     def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
-        """Return a partial derivative of S on a grid.
+        """Return a partial derivative of S on a grid; on a joint that of the window which begins there.
 
         Parameters
         ----------
@@ -107,10 +158,8 @@ class Patch:
         ------
         ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
         """
-        coefficients = self._differentiated(order_u, order_v)
-        basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
-        basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
-        return read_only(grid.evaluate(coefficients, basis_u, basis_v))
+        at_u, at_v = (locate.located(*each) for each in zip((u, v), self.breakpoints, strict=True))
+        return self._on_grid(at_u, at_v, (order_u, order_v))
 
     def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S at scattered parameters, as ``derivative`` does on a grid.
@@ -129,53 +178,65 @@ class Patch:
         ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
         """
         coefficients = self._differentiated(order_u, order_v)
-        basis_u = bernstein.basis(PATCH_DEGREE - order_u, u)
-        basis_v = bernstein.basis(PATCH_DEGREE - order_v, v)
-        return read_only(grid.evaluate_scattered(coefficients, basis_u, basis_v))
+        at_u, at_v = (locate.located(*each) for each in zip((u, v), self.breakpoints, strict=True))
+        basis_u = at_u.basis(PATCH_DEGREE - order_u, order_u)
+        basis_v = at_v.basis(PATCH_DEGREE - order_v, order_v)
+        return read_only(grid.evaluate_scattered_pieces(coefficients, (at_v.window, at_u.window), basis_u, basis_v))
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""
         return differential.normals(self, u, v, singular=self._rounding_of_a_normal())
 
     def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
-        """Return the curvatures on a grid, from the two fundamental forms.
-
-        Parameters
-        ----------
-        u, v : (n,) and (m,) parameters
-
-        Raises
-        ------
-        ValueError : u or v is not one-dimensional
-        """
+        """Return the curvatures on a grid, from the two fundamental forms; parameters as for ``points``."""
         return differential.surface_curvature(self, u, v, singular=self._rounding_of_a_normal())
 
     def edge(self, edge: Edge) -> Array:
-        """Return an edge curve as Bernstein coefficients (7, 3) in the parameter that runs along it."""
-        curve: Array = self.coefficients[edge.position]
-        return curve
+        """Return an edge curve as Bernstein coefficients (windows, 7, 3) in the parameter that runs along it."""
+        across_u = edge in (Edge.U0, Edge.U1)
+        end = 0 if edge in (Edge.U0, Edge.V0) else -1
+        windows = self.coefficients[:, end] if across_u else self.coefficients[end]
+        iu, iv = edge.position
+        curves: Array = windows[:, iu, iv]
+        return curves
 
     def bounding_box(self) -> Array:
-        """Return the exact box over [0, 1] x [0, 1], (3, 2) float64 with columns min and max."""
+        """Return the exact box, (3, 2) float64 with columns min and max."""
         return read_only(extent.bounding_box(self.coefficients))
 
     def transformed(self, matrix: npt.ArrayLike) -> Patch:
         """Return the patch mapped by a (4, 4) affine matrix that acts on columns [x y z 1], eq. (62)."""
         m = np.asarray(matrix, dtype=np.float64)
-        return Patch(self.coefficients @ m[:3, :3].T + m[:3, 3], self.degree)
+        return self.mapped(lambda points: points @ m[:3, :3].T + m[:3, 3])
+
+    def mapped(self, mapping: Callable[[Array], Array]) -> Patch:
+        """Return the patch with its coefficients mapped by what is affine on arrays (..., 3)."""
+        return Patch(mapping(self.coefficients), self.degree, self.lengths)
+
+    def _on_grid(self, at_u: locate.Located, at_v: locate.Located, orders: tuple[int, int]) -> Array:
+        """Return a partial derivative on a grid of located parameters."""
+        coefficients = self._differentiated(*orders)
+        (basis_u, order_u), (basis_v, order_v) = (
+            at.by_window(PATCH_DEGREE - order, order) for at, order in zip((at_u, at_v), orders, strict=True)
+        )
+        values = grid.evaluate_pieces(coefficients, basis_u, basis_v)
+        for axis, order in enumerate((order_u, order_v)):
+            if order is not None:
+                values = values.take(np.argsort(order), axis=axis)
+        return read_only(values)
 
     def _differentiated(self, order_u: int, order_v: int) -> Array:
-        """Return the Bernstein coefficients of a partial derivative."""
+        """Return the Bernstein coefficients of a partial derivative by each window's own parameters."""
         if not (0 <= order_u <= PATCH_DEGREE and 0 <= order_v <= PATCH_DEGREE):
             raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 to {PATCH_DEGREE}")
         coefficients = self.coefficients
         for _ in range(order_u):
-            coefficients = bernstein.derivative(coefficients, 0)
+            coefficients = bernstein.derivative(coefficients, 2)
         for _ in range(order_v):
-            coefficients = bernstein.derivative(coefficients, 1)
+            coefficients = bernstein.derivative(coefficients, 3)
         return coefficients
 
     def _rounding_of_a_normal(self) -> float:
         """Return the length below which S_u x S_v is no more than rounding."""
-        tangents = (np.abs(bernstein.derivative(self.coefficients, axis)).max() for axis in (0, 1))
+        tangents = (np.abs(bernstein.derivative(self.coefficients, axis)).max() for axis in (2, 3))
         return float(_SINGULAR * np.prod(list(tangents)))

@@ -54,6 +54,7 @@ def in_own_unit(surface: ParametricSurface, *, beside: float = 0.0) -> tuple[Par
     -------
     the surface, and the unit: a power of two, so that nothing is rounded
     """
-    size = max(largest(surface.points(_SIZED_AT, _SIZED_AT)), beside / _LARGEST_BESIDE)
+    u, v = (low + (high - low) * _SIZED_AT for low, high in surface.domain)
+    size = max(largest(surface.points(u, v)), beside / _LARGEST_BESIDE)
     unit = float(own_unit(size))
     return surface.transformed(np.diag([1 / unit, 1 / unit, 1 / unit, 1.0])), unit

@@ -25,7 +25,7 @@ _PARTS = 4
 _LARGEST_LEAF = 16
 """Intervals of a cell along one direction up to which its samples cost no more than to cut it further."""
 
-_SLACK = 4 * float(np.finfo(np.float64).eps)
+SLACK = 4 * float(np.finfo(np.float64).eps)
 """A cell is dropped that exceeds a sample that is known by no more than this part of the largest coefficient: what
 the restriction to a cell rounds."""
 
@@ -120,7 +120,7 @@ def _places_of_extremes(coefficients: Array, n: int, m: int) -> Indices:
     axes = np.moveaxis(coefficients, -1, 0)
     functions = np.concatenate([-axes, axes])
     count, largest = len(functions), np.abs(functions).max(axis=(1, 2))
-    best = _Best(np.full(count, -np.inf), np.zeros((count, 2), dtype=np.intp), _SLACK * largest)
+    best = _Best(np.full(count, -np.inf), np.zeros((count, 2), dtype=np.intp), SLACK * largest)
     along = [_cells(size - 1, samples - 1) for size, samples in zip(coefficients.shape[:2], (n, m), strict=True)]
     pieces, bounds = _first_pieces(functions, along, best)
     cuts = [cells.cuts for cells in along]

@@ -7,15 +7,17 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import build_patch, surface_rounding
+from qovr_core.construction import build_patch, surface_rounding, window_arrays
 from qovr_core.document import Document
 from qovr_core.edits import knots_of, set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels, kernels
-from qovr_core.geometry.knots import Direction, Knots, knot_array
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, Knots, KnotTable
 from qovr_core.geometry.rounding import NOISE, ROUNDING, largest
 from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, weight_coefficients, weight_summands
 from qovr_core.laboratory.measurement import Condition, Measurement
+
+_S, _U = (KNOT_NAMES.index(name) for name in "su")
 
 _QUARTIC = 4
 _HALVES = Knots()
@@ -73,7 +75,7 @@ def quartic(document: Document) -> Measurement:
     """Every curve, and with them the surface, is of degree four (title, abstract)."""
     noise = _noise(document).max(axis=1)
     of_curves = [polynomial_degree(*curve) for curve in zip(_weights(document), noise, strict=True)]
-    coefficients, rounding = build_patch(document).coefficients, surface_rounding(document)
+    coefficients, rounding = build_patch(document).coefficients[0, 0], surface_rounding(document)
     of_patch = [polynomial_degree(patch, rounding) for patch in (coefficients, coefficients.swapaxes(0, 1))]
     higher = [name for name, degree in zip(curve_names(document), of_curves, strict=True) if degree > _QUARTIC]
     degree = max(*of_curves, *of_patch)
@@ -97,15 +99,18 @@ def polynomial_degree(coefficients: Array, noise: Array) -> int:
 
 
 def _all_quartic(document: Document) -> bool:
-    return all(knots.is_quartic for knots in document.row_knots + document.column_knots)
+    knots = _knots(document)
+    return bool((knots[:, _S] == knots[:, _U]).all())
 
 
 def degree_examples(document: Document) -> tuple[Document, ...]:
     """Return the document with s_ip = u_ip on every curve, and on every curve but C_0."""
-    rows = tuple(replace(knots, s=knots.u) for knots in document.row_knots)
-    columns = tuple(replace(knots, s=knots.u) for knots in document.column_knots)
-    quartic_here = replace(document, row_knots=rows, column_knots=columns)
-    return quartic_here, replace(quartic_here, row_knots=(_LIFTED, *rows[1:]))
+    rows, columns = (family.array.copy() for family in (document.row_knots, document.column_knots))
+    for family in (rows, columns):
+        family[..., _S] = family[..., _U]
+    quartic_here = replace(document, row_knots=KnotTable(rows), column_knots=KnotTable(columns))
+    rows[0] = tuple(_LIFTED)
+    return quartic_here, replace(quartic_here, row_knots=KnotTable(rows))
 
 
 S_IS_U = Condition("s_ip = u_ip (v_ip) on every curve", _all_quartic)
@@ -150,7 +155,7 @@ def _row(row: Array) -> str:
 
 def _knots(document: Document) -> Array:
     """Return the knots of all curves, (k, 4)."""
-    return knot_array(document.row_knots + document.column_knots)
+    return np.concatenate(window_arrays(document)[1:])
 
 
 def _noise(document: Document) -> Array:

@@ -197,7 +197,8 @@ def _reach(magnitude: Array, fall: Falloff | None, part: float, largest: float) 
 
 
 def _largest_along(edge: Array) -> float:
-    """Return the largest length on a curve (7, 3) of displacements: at an end, or where its square is stationary."""
+    """Return the largest length on a curve (1, 7, 3) of displacements: at an end, or where its square is stationary."""
+    edge = edge[0]
     size = np.abs(edge).max()
     if size == 0:
         return 0.0

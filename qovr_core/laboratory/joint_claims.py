@@ -9,7 +9,7 @@ import numpy as np
 from qovr_core.arrays import Array
 from qovr_core.document import Document
 from qovr_core.edits import set_all_knots, set_points
-from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.knots import Knots, KnotTable
 from qovr_core.laboratory.measurement import Condition, Measurement
 from qovr_core.laboratory.neighbours import Continuation, joints
 
@@ -43,8 +43,8 @@ def _worst_jump(document: Document, order: int, what: str) -> Measurement:
 def _crosses_alike(document: Document) -> bool:
     """Whether every knot vector meets its neighbour's, and the knots of one direction do not differ."""
     families = document.row_knots, document.column_knots
-    alike = all(_is_even(knots) for family in families for knots in family)
-    return alike and any(len(set(family)) == 1 for family in families)
+    alike = all(_is_even(family[curve, 0]) for family in families for curve in range(len(family)))
+    return alike and any(bool((family.array == family.array[0]).all()) for family in families)
 
 
 def _is_even(knots: Knots) -> bool:
@@ -58,16 +58,22 @@ def crossing_examples(document: Document) -> tuple[Document, ...]:
     rows, columns = _even(len(document.row_knots)), _even(len(document.column_knots))
     return (
         set_all_knots(document, Knots()),
-        replace(document, row_knots=(rows[1],) * len(rows), column_knots=columns),
-        replace(document, row_knots=rows, column_knots=(columns[1],) * len(columns)),
+        replace(document, row_knots=_all_as(rows, 1), column_knots=columns),
+        replace(document, row_knots=rows, column_knots=_all_as(columns, 1)),
         replace(document, row_knots=rows, column_knots=columns),
         set_all_knots(document, Knots(r=0.4, t=0.4)),
     )
 
 
-def _even(count: int) -> tuple[Knots, ...]:
+def _even(count: int) -> KnotTable:
     """Return knots of so many curves that cross a joint alike, different from curve to curve."""
-    return tuple(Knots(r=1 - u, s=u, u=u, t=1 - u) for u in np.linspace(*_EVEN_MIDDLES, count).tolist())
+    u = np.linspace(*_EVEN_MIDDLES, count)
+    return KnotTable(np.stack([1 - u, u, u, 1 - u], axis=-1)[:, None])
+
+
+def _all_as(knots: KnotTable, curve: int) -> KnotTable:
+    """Return knots that are for all curves those of one."""
+    return KnotTable(np.broadcast_to(knots.array[curve], knots.array.shape))
 
 
 KNOTS_CROSS_ALIKE = Condition(

@@ -8,13 +8,13 @@ from functools import lru_cache
 import numpy as np
 
 from qovr_core.arrays import Array, Flags, Indices
-from qovr_core.construction import build_patch, surface_rounding
+from qovr_core.construction import build_patch, surface_rounding, window_arrays
 from qovr_core.document import Document
 from qovr_core.edits import set_all_knots
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.alignment import align, bounding_box
 from qovr_core.geometry.edges import Edge
-from qovr_core.geometry.knots import Knots, knot_array
+from qovr_core.geometry.knots import Knots
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import NOISE, part_of
 from qovr_core.laboratory.curve_claims import curve_names
@@ -149,7 +149,7 @@ def knot_moves(document: Document) -> KnotMoves:
     """
     curve, knots = _moved_knots(document)
     net, all_knots = document.control_points, np.split(knots, [len(document.row_knots)], axis=1)
-    before = build_patch(document).coefficients
+    before = build_patch(document).coefficients[0, 0]
     moved = document.formulation.build(net, *all_knots)
     has_surface = np.abs(moved).max(axis=(1, 2, 3)) <= _LARGEST
     moved, curve, all_knots = moved[has_surface], curve[has_surface], [family[has_surface] for family in all_knots]
@@ -174,7 +174,7 @@ def knot_moves(document: Document) -> KnotMoves:
 
 def _moved_knots(document: Document) -> tuple[Indices, Array]:
     """Return, for each move, the number of the curve and the knots of all curves, (k,) and (k, curves, 4)."""
-    knots = knot_array(document.row_knots + document.column_knots)
+    knots = np.concatenate(window_arrays(document)[1:])
     up = np.where(knots + KNOT_STEP < 1, knots + KNOT_STEP, (knots + 1) / 2)
     down = np.where(knots - KNOT_STEP > 0, knots - KNOT_STEP, knots / 2)
     curves, names = np.divmod(np.arange(knots.size), knots.shape[1])

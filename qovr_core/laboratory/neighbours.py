@@ -11,6 +11,7 @@ from qovr_core.arrays import Array
 from qovr_core.construction import build_patch, surface_rounding
 from qovr_core.document import Document
 from qovr_core.geometry import bernstein
+from qovr_core.geometry.knots import KnotTable
 from qovr_core.geometry.patch import PATCH_DEGREE
 from qovr_core.geometry.rounding import part_of
 
@@ -80,7 +81,7 @@ class Joint:
 
     def _crossing(self, document: Document) -> Array:
         """Return the document's patch as coefficients (7, 7, 3) with the crossing parameter first."""
-        coefficients = build_patch(document).coefficients
+        coefficients: Array = build_patch(document).coefficients[0, 0]
         return coefficients if self.across is Across.U else coefficients.swapaxes(0, 1)
 
 
@@ -110,8 +111,10 @@ def joints(document: Document, continuation: Continuation) -> tuple[Joint, Joint
     DocumentError : the net is so large that what goes on from it, up to four times as far, would be no document
     """
     net = document.control_points
-    columns = document.column_knots[_SHIFT:] + document.column_knots[-_SHIFT:]
-    rows = document.row_knots[_SHIFT:] + document.row_knots[-_SHIFT:]
+    rows, columns = (
+        KnotTable(np.concatenate([knots.array[_SHIFT:], knots.array[-_SHIFT:]]))
+        for knots in (document.row_knots, document.column_knots)
+    )
     across_u = _continued(net.swapaxes(0, 1), continuation).swapaxes(0, 1)
     return (
         Joint(Across.U, document, replace(document, control_points=across_u, column_knots=columns)),

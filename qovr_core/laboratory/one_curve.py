@@ -173,5 +173,5 @@ def curve_of(document: Document, direction: Direction, number: int) -> OneCurve:
     """
     net = document.control_points
     points = net[number] if direction is Direction.ROWS else net[:, number]
-    knots = knots_of(document, direction)[number]
+    knots = knots_of(document, direction)[number, 0]
     return OneCurve(points, knots, document.formulation.kernel_decimals, direction, number)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import document_arrays
+from qovr_core.construction import window_arrays
 from qovr_core.evaluation import Evaluation, parameters
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.geometry.patch import Patch
@@ -31,7 +31,7 @@ def knot_sensitivity(evaluation: Evaluation, place: KnotPlace, layer: Layer) -> 
     layer : of which of its two surfaces
     """
     document = evaluation.document
-    raw = Patch(document.formulation.knot_slope(*document_arrays(document), place))
+    raw = Patch(document.formulation.knot_slope(*window_arrays(document), place))
     return raw if layer is Layer.RAW else _transformed_slope(evaluation, raw)
 
 

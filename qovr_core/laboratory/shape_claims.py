@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import build_patch, document_arrays, surface_rounding
+from qovr_core.construction import build_patch, surface_rounding, window_arrays
 from qovr_core.document import Document
 from qovr_core.edits import set_all_knots, set_points
 from qovr_core.evaluation import Evaluation, parameters
@@ -75,8 +75,8 @@ def point_displacements(document: Document) -> Array:
     i, j = np.indices(net.shape[:2]).reshape(2, -1)
     nets = np.repeat(net[None], len(i), axis=0)
     nets[np.arange(len(i)), i, j] += step
-    _, rows, columns = document_arrays(document)
-    motion = document.formulation.build(nets, rows, columns) - build_patch(document).coefficients
+    _, rows, columns = window_arrays(document)
+    motion = document.formulation.build(nets, rows, columns) - build_patch(document).coefficients[0, 0]
     basis = bernstein.basis(PATCH_DEGREE, _GRID)
     lengths: Array = np.linalg.norm(np.einsum("ua,vb,kabd->kuvd", basis, basis, motion, optimize=True), axis=-1)
     return lengths.reshape(*net.shape[:2], *lengths.shape[1:])
@@ -156,7 +156,7 @@ def _reversed(values: Array, rows: bool, columns: bool) -> Array:
 def _asymmetry(name: str, document: Document) -> tuple[float, bool]:
     """Return how far a surface is from a symmetry, as part of its size, and whether that is rounding."""
     rows, columns = _MIRRORS[name]
-    patch = build_patch(document).coefficients
+    patch = build_patch(document).coefficients[0, 0]
     mirrored = _reversed(patch.swapaxes(0, 1), rows, columns).swapaxes(0, 1)
     difference = patch - mirrored
     for axis, is_reversed in ((0, columns), (1, rows)):

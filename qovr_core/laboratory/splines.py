@@ -13,7 +13,7 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry import differential, grid
-from qovr_core.geometry.differential import Curvature
+from qovr_core.geometry.differential import Curvature, Domain
 
 _SINGULAR = 1e-12
 """|S_u x S_v| below this part of the product of the net's longest steps is rounding, and no direction."""
@@ -78,6 +78,11 @@ class TensorSurface:
     def _counts(self) -> tuple[int, int]:
         """Rows and columns of the net."""
         return self.basis_v.count, self.basis_u.count
+
+    @property
+    def domain(self) -> Domain:
+        """The rectangle of its parameters, [0, 1] x [0, 1]."""
+        return (0.0, 1.0), (0.0, 1.0)
 
     @property
     def breaks(self) -> tuple[Array, Array]:

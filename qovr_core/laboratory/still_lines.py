@@ -25,7 +25,7 @@ def still_lines(displacement: Patch, axis: int, noise: float = 0.0) -> tuple[flo
     -------
     the parameters c, growing, each in [0, 1]
     """
-    table = np.moveaxis(displacement.coefficients, axis, 0).reshape(PATCH_DEGREE + 1, -1)
+    table = np.moveaxis(displacement.coefficients[0, 0], axis, 0).reshape(PATCH_DEGREE + 1, -1)
     largest = np.abs(table).max()
     if largest == 0:
         return ()

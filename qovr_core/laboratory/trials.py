@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from qovr_core.document import NET_SIZE, Document
+from qovr_core.document import Document
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Knots
+from qovr_core.geometry.windows import NET_SIZE
 
 TRIAL_SEED = 20
 """The random documents are drawn from this seed, so that everybody sees the same."""

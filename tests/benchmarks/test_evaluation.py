@@ -51,7 +51,7 @@ def test_raw(measure, size):
 def test_box(measure, size):
     """The box that T needs, in the program's way."""
     patch = build_patch(document(size))
-    measure("box", size, lambda: patch.sampled_box(size, size))
+    measure("box", size, lambda: patch.sampled_box(np.array([size - 1]), np.array([size - 1])))
 
 
 @pytest.mark.parametrize("size", [*SIZES, LARGEST])
@@ -60,7 +60,7 @@ def test_box_of_all(measure, size):
 
     def box():
         basis = bernstein.basis(6, parameters(size))
-        return grid.box(patch.coefficients, basis, basis)
+        return grid.box(patch.coefficients[0, 0], basis, basis)
 
     measure("box of all", size, box, rounds=5)
 
@@ -92,7 +92,7 @@ def test_scipy(measure, size):
 
 def test_algorithm_1(measure):
     source: Document = document(LITERAL)
-    rows, columns = ([tuple(k) for k in curves] for curves in (source.row_knots, source.column_knots))
+    rows, columns = (knots.array[:, 0].tolist() for knots in (source.row_knots, source.column_knots))
     net, u = source.control_points.tolist(), parameters(LITERAL).tolist()
     literal = lambda: [[algorithm1.point(net, rows, columns, "published", a, b) for b in u] for a in u]  # noqa: E731
     measure("algorithm 1", LITERAL, literal, rounds=1)

@@ -89,7 +89,7 @@ def bare_3dm(path, points):
 
 def test_cad_writers(measure, tmp_path):
     result = surface(SMALL)
-    measure("bare .3dm", SMALL, lambda: bare_3dm(tmp_path / "a.3dm", result.patch.coefficients))
+    measure("bare .3dm", SMALL, lambda: bare_3dm(tmp_path / "a.3dm", result.patch.coefficients[0, 0]))
 
 
 @pytest.mark.parametrize("suffix", [".step", ".iges", ".3dm"])

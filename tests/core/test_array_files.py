@@ -122,7 +122,7 @@ def test_octave_reads_mat(tmp_path):
     )
     name, *numbers = done.stdout.split()
     assert name == "interpolating"
-    assert list(map(float, numbers)) == [7, 5, 3, surface.raw[2, 1, 0], surface.document.row_knots[3].s]
+    assert list(map(float, numbers)) == [7, 5, 3, surface.raw[2, 1, 0], surface.document.row_knots[3, 0].s]
 
 
 # --- what is refused --------------------------------------------------------------------------------------------------

@@ -22,7 +22,7 @@ from qovr_core.laboratory.splines import catmull_rom
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import Ground, Verdict, decide, verify
 from qovr_core.presets import preset
-from support.documents import knots, random_document, random_net, seeds
+from support.documents import knots, random_document, random_net, seeds, with_knot
 
 TRUE, TRUE_IF, FALSE = Verdict
 
@@ -269,13 +269,13 @@ def test_neighbours_meet_to_rounding_and_share_their_points_and_knots(seed):
         end, start = build_patch(first), build_patch(second)
         if joint.across is Across.U:
             assert np.array_equal(second.control_points[:, :3], first.control_points[:, 2:])
-            assert second.column_knots[:3] == first.column_knots[2:]
-            gap = end.edge(Edge.U1) - start.edge(Edge.U0)
+            assert second.column_knots.in_window(0)[:3] == first.column_knots.in_window(0)[2:]
+            gap = end.edge(Edge.U1)[0] - start.edge(Edge.U0)[0]
         else:
             assert np.array_equal(second.control_points[:3], first.control_points[2:])
-            assert second.row_knots[:3] == first.row_knots[2:]
-            gap = end.edge(Edge.V1) - start.edge(Edge.V0)
-        assert np.abs(gap).max() <= 1e-12 * np.abs(end.coefficients).max()
+            assert second.row_knots.in_window(0)[:3] == first.row_knots.in_window(0)[2:]
+            gap = end.edge(Edge.V1)[0] - start.edge(Edge.V0)[0]
+        assert np.abs(gap).max() <= 1e-12 * np.abs(end.coefficients[0, 0]).max()
         assert joint.jumps()[0].is_rounding
 
 
@@ -310,7 +310,7 @@ def test_the_jumps_are_those_of_the_exact_derivatives_and_of_differences():
     document = random_document(6)
     along, step = np.linspace(0, 1, 41), 1e-5
     size = max(
-        np.ptp(build_patch(part).coefficients, axis=(0, 1)).max()
+        np.ptp(build_patch(part).coefficients[0, 0], axis=(0, 1)).max()
         for joint in joints(document, Continuation.DRAWN)
         for part in (joint.first, joint.second)
     )
@@ -345,15 +345,15 @@ def test_the_moves_of_knots_are_those_of_edited_documents(formulation):
     document = random_document(8, formulation, low=0.2, high=0.8)
     moves = knot_claims.knot_moves(document)
     before = build_patch(document)
-    size = np.ptp(before.coefficients, axis=(0, 1)).max()
+    size = np.ptp(before.coefficients[0, 0], axis=(0, 1)).max()
     basis = bernstein.basis(6, np.linspace(0, 1, SAMPLES[0]))
     for k, (direction, curve, name) in enumerate(
         (direction, curve, name) for direction in Direction for curve in range(5) for name in "rsut"
     ):
-        value = getattr(edits.knots_of(document, direction)[curve], name) + knot_claims.KNOT_STEP
-        after = build_patch(edits.set_knot(document, direction, name, value, curve=curve))
+        value = getattr(edits.knots_of(document, direction)[curve, 0], name) + knot_claims.KNOT_STEP
+        after = build_patch(with_knot(document, direction, name, value, curve=curve))
         expected = [
-            np.linalg.norm(basis @ (after.edge(edge) - before.edge(edge)), axis=-1).max() / size for edge in Edge
+            np.linalg.norm(basis @ (after.edge(edge)[0] - before.edge(edge)[0]), axis=-1).max() / size for edge in Edge
         ]
         assert np.allclose(moves.raw.parts[k], expected, rtol=1e-6, atol=1e-12)
         assert moves.curve[k] == curve + 5 * (direction is Direction.COLUMNS)

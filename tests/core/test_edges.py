@@ -14,7 +14,7 @@ def test_an_edge_is_where_its_name_says(edge):
     u, v = (at, along) if parameter == "u" else (along, at)
     samples = patch.points(along, along)
     assert samples[edge.position] == pytest.approx(patch.points(u, v).reshape(-1, 3), abs=1e-12)
-    assert np.array_equal(patch.edge(edge), patch.coefficients[edge.position])
+    assert np.array_equal(patch.edge(edge)[0], patch.coefficients[0, 0][edge.position])
     start, end = edge.corners
     assert np.array_equal(samples[start], samples[edge.position][0])
     assert np.array_equal(samples[end], samples[edge.position][-1])

@@ -149,7 +149,7 @@ def test_figure_2_shows_the_network_over_its_net():
     lines = [np.array(line.get_data_3d()).T for line in axes.lines]
     assert len(lines) == 20
     network = curve_network(document)
-    for line, curve in zip(lines[10:], [*network.rows, *network.columns], strict=True):
+    for line, curve in zip(lines[10:], [*network.rows[:, 0], *network.columns[:, 0]], strict=True):
         assert line[[0, -1]] == pytest.approx(curve[[0, -1]])
     names = {text.get_text().strip() for text in axes.texts}
     assert names == (
@@ -164,7 +164,7 @@ def test_figure_2_shows_the_network_over_its_net():
 @pytest.mark.parametrize("view", View)
 def test_one_curve_of_a_document_is_drawn_with_its_weights(s, view):
     document = random_document(4, low=0.3, high=0.7)
-    knots = replace(document.column_knots[2], s=s, u=0.5)
+    knots = replace(document.column_knots[2, 0], s=s, u=0.5)
     curve = replace(curve_of(document, Direction.COLUMNS, 2), knots=knots)
     figure = draw_curve(curve, Sheet(view, (6.3, 4.7)))
     curve_axes, blends, weights, places = figure.axes

@@ -292,7 +292,7 @@ def test_no_point_of_the_surface_is_farther_than_the_tolerance(suffix, tolerance
 @pytest.mark.parametrize("seed", range(8))
 def test_the_grid_is_fine_enough_and_not_wastefully_fine(seed):
     patch = configure(of_degree(60 + seed, 6, 6)).patch
-    size = diagonal(patch.coefficients)
+    size = diagonal(patch.coefficients[0, 0])
     tolerance = 1e-4 * size
     n, m = tessellation.samples_within(patch, tolerance)
     u, v = np.linspace(0, 1, n), np.linspace(0, 1, m)

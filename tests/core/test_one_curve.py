@@ -31,7 +31,7 @@ def test_it_is_the_curve_of_the_network_and_the_blend_of_its_parabolas(document,
     network = curve_network(document)
     family = network.rows if which[0] is Direction.ROWS else network.columns
     tolerance = 1e-12 * scale(curve)
-    of_network = bernstein.basis(CURVE_DEGREE, U) @ family[which[1]]
+    of_network = bernstein.basis(CURVE_DEGREE, U) @ family[which[1], 0]
     assert curve.at(U) == pytest.approx(of_network, abs=tolerance)
     r_s_t, w = curve.transformed(U), curve.blends(U)
     blend = sum(w[:, [p]] * curve.parabola(p, r_s_t[:, p]) for p in range(3))

@@ -66,7 +66,7 @@ def _(hand):
     hand.over("row_knots.slider")
     hand.double_click(QPointF(0.3 * hand.widget.width(), hand.middle.y()))
     hand.show()
-    assert {knots.r for knots in hand.editor.document.row_knots} == {0.5}
+    assert {knots.r for knots in hand.editor.document.row_knots.in_window(0)} == {0.5}
 
 
 @TABLE("double click in a field selects its text")
@@ -129,7 +129,7 @@ def _(hand):
     hand.move(start + 0.6 * (end - start))
     hand.show()
     hand.release()
-    row = hand.editor.document.row_knots[0]
+    row = hand.editor.document.row_knots[0, 0]
     assert row.u == row.s == pytest.approx(0.6, abs=0.006)
     assert hand.steps[-1].startswith("Set u_ip")
     assert np.array_equal(hand.net, hand.state.history.first.control_points)

@@ -4,6 +4,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from qovr_core import FORMULATIONS, Document, Formulation, Knots
+from qovr_core.edits import KnotPlace, set_values
 
 knot_values = st.floats(0.05, 0.95)
 knots = st.builds(Knots, knot_values, knot_values, knot_values, knot_values)
@@ -36,3 +37,9 @@ def size(points):
     """Return the diagonal of the points' box."""
     flat = np.asarray(points).reshape(-1, 3)
     return float(np.linalg.norm(flat.max(axis=0) - flat.min(axis=0)))
+
+
+def with_knot(document, direction, name, value, curve=None):
+    """Return a document of one window with one knot changed, of one curve or of all of them."""
+    curves = range(5) if curve is None else (curve,)
+    return set_values(document, {KnotPlace(direction, k, name): value for k in curves})

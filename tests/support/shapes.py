@@ -24,7 +24,7 @@ def of_degree(seed, degree_u, degree_v, size=1.0, **options):
     """Return a random document whose surface has these degrees; its net is not symmetric."""
     document = random_document(seed, low=0.2, high=0.8, **options)
     rows, columns = (
-        tuple(replace(knots, s=knots.u) if degree == 4 else knots for knots in curves)
+        tuple(replace(knots, s=knots.u) if degree == 4 else knots for knots in curves.in_window(0))
         for curves, degree in ((document.row_knots, degree_u), (document.column_knots, degree_v))
     )
     return replace(document, control_points=size * document.control_points, row_knots=rows, column_knots=columns)
@@ -33,8 +33,8 @@ def of_degree(seed, degree_u, degree_v, size=1.0, **options):
 def special(name, seed=3, size=1.0, samples=(7, 5)):
     """Return an interpolating document whose edges K_1, K_3, C_1, C_3 collapse or coincide."""
     document = of_degree(seed, 6, 6, size, samples=samples)
-    points, columns = document.control_points.copy(), list(document.column_knots)
-    rows = list(document.row_knots)
+    points, columns = document.control_points.copy(), list(document.column_knots.in_window(0))
+    rows = list(document.row_knots.in_window(0))
     if name in ("v=0", "v=0 and v=1", "sphere", "balloon"):
         points[1] = points[1, 1]
     if name in ("u=0", "balloon"):

@@ -30,6 +30,10 @@ class SphericalPatch:
         return self.derivative_at(u, v, order_u, order_v)
 
     @property
+    def domain(self):
+        return (0.0, 1.0), (0.0, 1.0)
+
+    @property
     def breaks(self):
         return np.empty(0), np.empty(0)
 

@@ -62,7 +62,7 @@ class Frame:
 
     def laid_patch(self, patch: Patch) -> Patch:
         """Return a patch of the document's space in the unit space, its coefficients no larger than ``WILDEST``."""
-        return Patch(self._laid_points(patch.coefficients, WILDEST), patch.degree)
+        return patch.mapped(lambda points: self._laid_points(points, WILDEST))
 
     def to_unit(self, points: Array) -> Array:
         """Return points (..., 3) of the document in the unit space, none of them farther off than ``FARTHEST``."""

@@ -60,7 +60,7 @@ def surface_vertices(surface: ParametricSurface, counts: Counts) -> FloatArray:
 def _patch_vertices(patch: Patch, counts: Counts) -> FloatArray:
     """Return the same for a patch, in single precision throughout: this is what every frame of a drag waits for."""
     (n, m), (along_u, slope_u), (along_v, slope_v) = counts, _bases(counts[0]), _bases(counts[1])
-    table = patch.coefficients.transpose(1, 2, 0).reshape(PATCH_DEGREE + 1, -1).astype(np.float32)
+    table = patch.coefficients[0, 0].transpose(1, 2, 0).reshape(PATCH_DEGREE + 1, -1).astype(np.float32)
     in_v = (along_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
     in_slope_v = (slope_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
     points, su, sv = (

@@ -141,12 +141,12 @@ class Scene:
     @cached_property
     def row_curves(self) -> Array:
         """The curves C_i(u) in the unit space, (rows, ``CURVE_POINTS``, 3)."""
-        return read_only(self.frame.to_unit(curve_points(self.network.rows, CURVE_POINTS)))
+        return read_only(self.frame.to_unit(curve_points(self.network.rows[:, 0], CURVE_POINTS)))
 
     @cached_property
     def column_curves(self) -> Array:
         """The curves K_j(v) in the unit space, (columns, ``CURVE_POINTS``, 3)."""
-        return read_only(self.frame.to_unit(curve_points(self.network.columns, CURVE_POINTS)))
+        return read_only(self.frame.to_unit(curve_points(self.network.columns[:, 0], CURVE_POINTS)))
 
 
 def mapped_box(box: Array, matrix: Array) -> Array:

@@ -119,7 +119,7 @@ def test_it_follows_every_edit_of_a_drag_once_a_turn(panel):
     editor.drag_slider("row_knots.slider", [4, 4, 4, 4, 4, 4])
     assert 3 <= len(shown) <= 6
     assert_shows(panel, editor.document, Direction.ROWS, 4)
-    assert editor.document.row_knots[4].s > 0.6
+    assert editor.document.row_knots[4, 0].s > 0.6
 
 
 def test_the_curve_is_the_one_the_formulation_computes(panel):
@@ -127,7 +127,7 @@ def test_the_curve_is_the_one_the_formulation_computes(panel):
     editor.type_into("row_knots.C_4.r", "0.3")
     assert panel.curve.decimals == 4
     network = curve_network(editor.document)
-    drawn = basis(CURVE_DEGREE, SAMPLES) @ network.rows[4]
+    drawn = basis(CURVE_DEGREE, SAMPLES) @ network.rows[:, 0][4]
     assert panel.curve.at(SAMPLES) == pytest.approx(drawn, abs=1e-14)
     exact = curve_of(set_values(editor.document, {KnotPlace(Direction.ROWS, 4, "r"): 0.3}), Direction.ROWS, 4).at(
         SAMPLES
@@ -149,7 +149,7 @@ def test_a_handle_drags_its_knot_live_and_as_one_step(panel):
     assert editor.document == before
 
     drag(panel, "u", [QPoint(-6, 0)] * 3)
-    knots = editor.document.row_knots[4]
+    knots = editor.document.row_knots[4, 0]
     assert knots.u < 0.7
     assert knots.s == 0.6
     assert plot_of(panel, "transformations").knots == knots
@@ -157,21 +157,21 @@ def test_a_handle_drags_its_knot_live_and_as_one_step(panel):
     editor.trigger("undo")
     assert editor.document == before
     drag(panel, "t", [QPoint(0, 300)] * 3)
-    assert editor.document.row_knots[4].t == 0.001  # no farther than a slider goes
+    assert editor.document.row_knots[4, 0].t == 0.001  # no farther than a slider goes
 
 
 def test_a_handle_respects_the_links_and_staged_edits(panel):
     editor = panel.editor
     editor.trigger("link_curves")
     drag(panel, "r", [QPoint(0, -10)] * 2)
-    assert editor.document.row_knots[4].r != 0.4
-    assert {curve.r for curve in editor.document.row_knots[:4]} == {0.4}
+    assert editor.document.row_knots[4, 0].r != 0.4
+    assert {curve.r for curve in editor.document.row_knots.in_window(0)[:4]} == {0.4}
     editor.trigger("live")
     document = editor.document
     drag(panel, "t", [QPoint(0, -10)] * 2)
     assert editor.document == document
     assert editor.field("row_knots.C_4.t").is_pending
-    assert plot_of(panel, "transformations").knots == document.row_knots[4]
+    assert plot_of(panel, "transformations").knots == document.row_knots[4, 0]
 
 
 def test_the_fold_back_is_said(panel):

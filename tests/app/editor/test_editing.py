@@ -40,7 +40,7 @@ def test_every_promised_name_is_there_once_and_can_be_said(editor):
 @pytest.mark.parametrize("typed", ["0.35", "0,35", " 3.5e-1 ", ".35", ",35"])
 def test_live_a_typed_knot_is_set_on_all_linked_curves(editor, typed):
     editor.type_into("row_knots.C_1.s", typed)
-    assert [knots.s for knots in editor.document.row_knots] == [0.35] * 5
+    assert [knots.s for knots in editor.document.row_knots.in_window(0)] == [0.35] * 5
     assert editor.document.column_knots == FIG5.column_knots
     assert editor.text("row_knots.C_4.s") == "0.35"
     assert editor.disagreements() == []
@@ -50,11 +50,11 @@ def test_live_a_typed_knot_is_set_on_all_linked_curves(editor, typed):
 def test_links_reach_as_far_as_they_say(editor):
     editor.trigger("link_curves")
     editor.type_into("column_knots.K_3.v", "0.3")
-    assert [knots.u for knots in editor.document.column_knots] == [0.5, 0.5, 0.5, 0.3, 0.5]
+    assert [knots.u for knots in editor.document.column_knots.in_window(0)] == [0.5, 0.5, 0.5, 0.3, 0.5]
     editor.trigger("link_directions")
     editor.type_into("row_knots.C_0.u", "0.6")
-    assert [knots.u for knots in editor.document.row_knots] == [0.6, 0.5, 0.5, 0.5, 0.5]
-    assert [knots.u for knots in editor.document.column_knots] == [0.6, 0.5, 0.5, 0.3, 0.5]
+    assert [knots.u for knots in editor.document.row_knots.in_window(0)] == [0.6, 0.5, 0.5, 0.5, 0.5]
+    assert [knots.u for knots in editor.document.column_knots.in_window(0)] == [0.6, 0.5, 0.5, 0.3, 0.5]
     assert editor.action("undo").text() == "&Undo Set uᵢₚ of C₀ and vᵢₚ of K₀"
 
 
@@ -82,7 +82,7 @@ def test_set_writes_all_or_nothing(editor):
     assert editor.message().startswith("Nothing was set: rᵢₚ of C₁ is 7.0")
     editor.type_into("row_knots.C_1.r", "0.7")
     editor.click("row_knots.set")
-    assert [knots.r for knots in editor.document.row_knots] == [0.2, 0.7, 0.5, 0.5, 0.5]
+    assert [knots.r for knots in editor.document.row_knots.in_window(0)] == [0.2, 0.7, 0.5, 0.5, 0.5]
     assert editor.action("undo").text() == "&Undo Set row-wise knots"
 
 
@@ -135,7 +135,7 @@ def test_a_slider_drag_is_one_step_and_the_surface_follows(editor):
     editor.on_evaluation(results.append)
     editor.drag_slider("column_knots.slider", [5, 5, 5, 5, 5])
     assert len(results) >= 4
-    assert editor.document.column_knots[0].s > 0.55
+    assert editor.document.column_knots[0, 0].s > 0.55
     assert editor.disagreements() == []
     assert len(editor.window.store.state.history.steps) == 1
     editor.trigger("undo")
@@ -145,7 +145,7 @@ def test_a_slider_drag_is_one_step_and_the_surface_follows(editor):
 def test_keys_on_a_slider_are_one_step_while_they_follow_each_other(editor):
     editor.field("row_knots.C_4.u").setFocus()
     editor.move_slider("row_knots.slider", 12)
-    assert editor.document.row_knots[4].u == pytest.approx(0.62)
+    assert editor.document.row_knots[4, 0].u == pytest.approx(0.62)
     assert len(editor.window.store.state.history.steps) == 1
 
 
@@ -166,7 +166,7 @@ def test_undo_keys_belong_to_the_document_where_nothing_is_typed(editor):
     assert editor.document == FIG5
     assert field.text() == "0.5"
     editor.key(Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier, field)
-    assert editor.document.row_knots[0].r == 0.3
+    assert editor.document.row_knots[0, 0].r == 0.3
 
 
 def test_undo_to_the_start_gives_the_very_document(make_editor, home):
@@ -193,10 +193,10 @@ def test_undo_to_the_start_gives_the_very_document(make_editor, home):
 def test_fields_keep_the_exact_value_and_show_as_much_as_fits(editor):
     third = repr(1 / 3)
     editor.type_into("row_knots.C_4.r", third)
-    assert editor.document.row_knots[4].r == 1 / 3
+    assert editor.document.row_knots[4, 0].r == 1 / 3
     editor.type_into("row_knots.C_4.s", "0.5")
     assert editor.text("row_knots.C_4.r") == third
-    assert editor.document.row_knots[4].r == 1 / 3
+    assert editor.document.row_knots[4, 0].r == 1 / 3
 
 
 def test_samples_are_whole_and_in_range(editor):
@@ -222,7 +222,7 @@ def test_a_curve_that_folds_back_is_marked_not_forbidden(editor):
     editor.type_into("column_knots.K_0.s", "0.2")
     assert not editor.find("column_knots.note").isVisible()
     editor.type_into("column_knots.K_0.v", "0.2")
-    assert editor.document.column_knots[0] == Knots(0.5, 0.2, 0.2, 0.5)
+    assert editor.document.column_knots[0, 0] == Knots(0.5, 0.2, 0.2, 0.5)
     assert "fold back" in editor.find("column_knots.note").text()
     assert "runs backwards for v from 0.65 to 0.907" in editor.field("column_knots.K_2.s").toolTip()
     editor.trigger("undo")
@@ -277,7 +277,7 @@ def test_a_table_of_knots_is_pasted_as_it_stands(editor):
     editor.field("row_knots.C_0.t").setFocus()
     QApplication.clipboard().setText("\n".join("\t".join(map(repr, row)) for row in rows))
     editor.trigger("paste_zone")
-    assert [list(knots) for knots in editor.document.row_knots] == rows[::-1]
+    assert [list(knots) for knots in editor.document.row_knots.in_window(0)] == rows[::-1]
     editor.field("row_knots.C_0.t").setFocus()
     QApplication.clipboard().setText("0.5\t0.5")
     editor.trigger("paste_zone")

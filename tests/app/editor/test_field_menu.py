@@ -134,10 +134,10 @@ def test_a_knot_is_set_on_all_curves_whatever_is_linked(editor):
     editor.trigger("link_curves")
     editor.type_into(KNOT, "0.35", end=None)
     choose(editor, open_menu(editor, KNOT)["field_set_curves"])
-    assert [knots.t for knots in editor.document.row_knots] == [0.35] * 5
-    assert [knots.t for knots in editor.document.column_knots] == [0.5] * 5
+    assert [knots.t for knots in editor.document.row_knots.in_window(0)] == [0.35] * 5
+    assert [knots.t for knots in editor.document.column_knots.in_window(0)] == [0.5] * 5
     choose(editor, open_menu(editor, KNOT)["field_set_directions"])
-    assert [knots.t for knots in editor.document.column_knots] == [0.35] * 5
+    assert [knots.t for knots in editor.document.column_knots.in_window(0)] == [0.35] * 5
     assert editor.window.store.state.history.index == 2
     editor.trigger("link_curves")
 

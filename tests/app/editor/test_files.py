@@ -77,17 +77,17 @@ def test_save_as_open_and_recent(editor, home, names):
     menu.aboutToShow.emit()
     menu.actions()[0].trigger()
     editor.settle()
-    assert editor.document.row_knots[0].r == 0.3
+    assert editor.document.row_knots[0, 0].r == 0.3
     editor.type_into("row_knots.C_0.r", "0.4")
     editor.trigger("save")
-    assert read_document(home / "mine.qovr").row_knots[2].r == 0.4
+    assert read_document(home / "mine.qovr").row_knots[2, 0].r == 0.4
 
 
 def test_unsaved_changes_are_asked_about(editor):
     editor.type_into("row_knots.C_0.r", "0.3")
     answer_question(QMessageBox.StandardButton.Cancel)
     editor.trigger("preset_fig8")
-    assert editor.document.row_knots[0].r == 0.3
+    assert editor.document.row_knots[0, 0].r == 0.3
     answer_question(QMessageBox.StandardButton.Discard)
     editor.trigger("preset_fig8")
     assert editor.document == preset("fig8").document
@@ -257,7 +257,7 @@ def test_a_surface_that_overflows_is_no_surface(editor):
     editor.type_into("column_knots.K_0.r", "0.4")
     assert editor.message() == ""
     assert not editor.find("message").toolTip()
-    assert editor.document.row_knots[4].r == 0.4
+    assert editor.document.row_knots[4, 0].r == 0.4
 
 
 def test_staged_a_surface_that_overflows_is_refused_when_it_is_set(editor):

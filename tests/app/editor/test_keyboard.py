@@ -89,7 +89,7 @@ def test_the_paper_way_by_shortcuts_alone(editor):
     assert QApplication.focusWidget().objectName() == "row_knots.C_4.r"
     QTest.keyClicks(QApplication.focusWidget(), "0.3")
     editor.key(Qt.Key.Key_Return, control)
-    assert editor.document.row_knots[4].r == 0.3
+    assert editor.document.row_knots[4, 0].r == 0.3
     assert not editor.find("surface.export").isEnabled()
     editor.key(Qt.Key.Key_F5)
     assert editor.find("surface.export").isEnabled()

@@ -46,7 +46,7 @@ class Hands:
         return self.editor.window.store.state
 
     def knots(self, direction=Direction.ROWS):
-        return [tuple(knots) for knots in knots_of(self.state.document, direction)]
+        return [tuple(knots) for knots in knots_of(self.state.document, direction).in_window(0)]
 
     def point(self, i, j):
         """Return where a control point is in the viewport, by the promised way to aim at it."""

@@ -29,7 +29,7 @@ def plot_of(editor, direction=Direction.ROWS):
 
 
 def knots(editor, curve=4):
-    return tuple(editor.document.row_knots[curve])
+    return tuple(editor.document.row_knots[curve, 0])
 
 
 def press(plot, name):
@@ -109,7 +109,9 @@ def test_each_handle_moves_its_knot_live_and_as_one_step(editor):
         assert changed == [number], name
         expected = -way.y() / unit if name != "u" else way.x() / (plot.handle_at("t").x() - plot.handle_at("r").x())
         assert knots(editor)[number] - begun[number] == pytest.approx(expected, abs=0.006)
-        assert {tuple(curve) for curve in editor.document.row_knots} == {knots(editor)}  # the curves are linked
+        assert {tuple(curve) for curve in editor.document.row_knots.in_window(0)} == {
+            knots(editor)
+        }  # the curves are linked
         assert editor.window.store.state.history.undo_text == f"Set {name}_ip of C_0..C_4"
         editor.trigger("undo")
         assert editor.document == before
@@ -176,11 +178,11 @@ def test_edits_wait_where_live_is_off(editor):
     drag(editor, "r", QPoint(0, -10))
     assert editor.document == document
     assert editor.field("row_knots.C_4.r").is_pending
-    assert plot_of(editor).knots.r == editor.window.store.state.draft.row_knots[4].r != 0.4
+    assert plot_of(editor).knots.r == editor.window.store.state.draft.row_knots[4, 0].r != 0.4
     drag(editor, "r", QPoint(0, -10), release=False)
     QTest.keyClick(plot_of(editor), Qt.Key.Key_Escape)
     editor.settle()
-    assert plot_of(editor).knots.r == editor.window.store.state.draft.row_knots[4].r != 0.4
+    assert plot_of(editor).knots.r == editor.window.store.state.draft.row_knots[4, 0].r != 0.4
 
 
 def test_where_the_curve_folds_back_is_amber_in_both_themes(editor):

@@ -227,7 +227,7 @@ def test_crossing_a_bound_keeps_keyboard_selection_and_what_is_typed(make_editor
         assert not field.visibleRegion().isEmpty(), size
         assert editor.window.store.state.selection == selected
     editor.key(Qt.Key.Key_Return, widget=field)
-    assert editor.document.column_knots[3].s == 0.31
+    assert editor.document.column_knots[3, 0].s == 0.31
 
 
 def test_a_tab_says_what_its_hidden_zone_holds(make_editor):
@@ -269,7 +269,7 @@ def test_the_keyboard_goes_from_a_zone_to_the_tab_that_hides_it(make_editor):
     editor = make_editor("paper:fig5", (1280, 720))
     editor.type_into("row_knots.C_4.r", "0.35", end=None)
     editor.choose_tab("Surface")
-    assert editor.document.row_knots[4].r == 0.35  # as leaving the field does
+    assert editor.document.row_knots[4, 0].r == 0.35  # as leaving the field does
     tabs = editor.find("zones.tabs", QTabBar)
     assert tabs.hasFocus()
     QTest.keyClick(tabs, Qt.Key.Key_Left)

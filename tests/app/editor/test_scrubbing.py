@@ -138,7 +138,7 @@ def test_a_heading_selects_its_points_and_changes_its_numbers_together(editor):
     assert np.unique(difference[3, :, 1].round(9)).tolist() == [-0.1]
     assert np.count_nonzero(difference) == 5
     Mouse(editor, "row_knots.t").move(2000).release()
-    assert {knots.t for knots in editor.document.row_knots} == {0.995}
+    assert {knots.t for knots in editor.document.row_knots.in_window(0)} == {0.995}
     assert steps_done(editor) == 2
 
 
@@ -157,7 +157,7 @@ def test_a_slider_is_put_back_and_reset(editor):
     slider = editor.find("row_knots.slider")
     QTest.mouseDClick(slider, LEFT, NONE, slider.rect().center())
     editor.settle()
-    assert {knots.r for knots in editor.document.row_knots} == {0.5}
+    assert {knots.r for knots in editor.document.row_knots.in_window(0)} == {0.5}
 
 
 def drag_slider_and_put_back(editor, way):

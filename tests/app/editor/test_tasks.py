@@ -81,7 +81,7 @@ def test_set_all_t_to_0_6_and_compare(worker):
     worker.click_on(worker.editor.field("row_knots.C_4.t"))
     worker.type("0.6")
     worker.tap(Qt.Key.Key_Return)
-    assert {knots.t for knots in worker.editor.document.row_knots} == {0.6}
+    assert {knots.t for knots in worker.editor.document.row_knots.in_window(0)} == {0.6}
     assert worker.state.reference is not None
     (button,) = (each for each in worker.editor.window.findChildren(QToolButton) if each.text() == "Colour by")
     action = worker.editor.action("colour_by_distance")

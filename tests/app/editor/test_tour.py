@@ -70,7 +70,7 @@ def test_the_program_shows_every_step_and_puts_all_back(editor):
         assert step(editor) == f"Tour, {k} of 5"
         editor.click("tour.show")
     assert editor.document.control_points[2, 2, 2] > FIG5.control_points[2, 2, 2]
-    assert editor.document.row_knots[2].u == 0.35
+    assert editor.document.row_knots[2, 0].u == 0.35
     assert editor.window.store.state.display.colour_by != coloured
     editor.click("tour.show")
     editor.dialog("export").close()

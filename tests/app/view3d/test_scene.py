@@ -99,7 +99,7 @@ def test_normals_belong_to_the_scaled_surface():
 
 
 def test_an_edge_drawn_into_a_point_has_finite_normals():
-    coefficients = scene_of(preset("fig5").document).patch.coefficients.copy()
+    coefficients = scene_of(preset("fig5").document).patch.coefficients[0, 0].copy()
     coefficients[0] = coefficients[0, 0]
     patch = Patch(coefficients)
     assert np.ptp(patch.points([0.0], [0.0, 0.5, 1.0]), axis=1).max() < 1e-12  # it is a point
@@ -138,7 +138,7 @@ def test_the_display_grid_does_not_follow_large_documents():
 
 def test_curves_end_on_the_inner_points():
     document = preset("fig8").document
-    points = curve_points(scene_of(document).network.rows, 3)
+    points = curve_points(scene_of(document).network.rows[:, 0], 3)
     np.testing.assert_allclose(points[:, 0], document.control_points[:, 1], atol=1e-9)
     np.testing.assert_allclose(points[:, -1], document.control_points[:, 3], atol=1e-9)
 

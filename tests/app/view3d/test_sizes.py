@@ -125,7 +125,7 @@ def test_a_site_far_from_the_origin_has_the_shape_it_has_at_the_origin():
     )
     np.testing.assert_allclose(there.points, here.points + (there.points - here.points)[0, 0], atol=1e-14)
     np.testing.assert_allclose(
-        there.patch.coefficients, here.patch.coefficients + (there.points - here.points)[0, 0], atol=1e-8
+        there.patch.coefficients[0, 0], here.patch.coefficients[0, 0] + (there.points - here.points)[0, 0], atol=1e-8
     )
 
 

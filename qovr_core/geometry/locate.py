@@ -1,0 +1,93 @@
+"""Where parameters lie in a piecewise polynomial: in which window, and where in it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from qovr_core.arrays import Array, Indices, read_only
+from qovr_core.geometry import bernstein
+from qovr_core.geometry.grid import PieceBasis
+
+
+@dataclass(frozen=True, eq=False)
+class Located:
+    """Parameters of one direction by window.
+
+    Parameters
+    ----------
+    window : (k,) the window that each lies in; a joint belongs to the one that begins there
+    local : (k,) where in the window, 0 to 1
+    lengths : (windows,) of all windows
+    """
+
+    window: Indices
+    local: Array
+    lengths: Array
+
+    @property
+    def place(self) -> Array:
+        """The window plus where in it, (k,)."""
+        return read_only(self.window + self.local)
+
+    def basis(self, degree: int, order: int) -> Array:
+        """Return the functions (k, degree + 1) with which a derivative's coefficients are summed, by the parameter."""
+        values = bernstein.basis(degree, self.local)
+        if order:
+            values = values / self.lengths[self.window, None] ** order
+        return values
+
+    def by_window(self, degree: int, order: int) -> tuple[PieceBasis, Indices | None]:
+        """Return the same by window, and the order in which its rows stand; None where they are in order already."""
+        values, ordered = self.basis(degree, order), None
+        window = self.window
+        if (np.diff(window) < 0).any():
+            ordered = np.argsort(window, kind="stable")
+            values, window = values[ordered], window[ordered]
+        starts = np.searchsorted(window, np.arange(len(self.lengths) + 1))
+        return PieceBasis(values, starts.tolist()), ordered
+
+
+def located(parameters: npt.ArrayLike, breakpoints: Array) -> Located:
+    """Return in which window parameters lie, and where; outside all windows the outer ones go on.
+
+    Parameters
+    ----------
+    parameters : (k,)
+    breakpoints : (windows + 1,), ascending
+
+    Raises
+    ------
+    ValueError : the parameters are not one-dimensional
+    """
+    x = np.asarray(parameters, dtype=np.float64)
+    if x.ndim != 1:
+        raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
+    lengths = np.diff(breakpoints)
+    window = np.clip(np.searchsorted(breakpoints, x, side="right") - 1, 0, len(lengths) - 1)
+    return Located(window, (x - breakpoints[window]) / lengths[window], lengths)
+
+
+def spread(samples: int, windows: int) -> Indices:
+    """Return how many of the intervals between samples fall to each window: nearly equal, the larger counts first.
+
+    Examples
+    --------
+    >>> spread(12, 3).tolist()
+    [4, 4, 3]
+    """
+    each, more = divmod(samples - 1, windows)
+    intervals = np.full(windows, each, dtype=np.intp)
+    intervals[:more] += 1
+    return intervals
+
+
+def even(intervals: Indices) -> Located:
+    """Return the evenly spaced parameters of each window, with so many intervals; the joints once."""
+    lengths = np.ones(len(intervals))
+    local = [np.linspace(0.0, 1.0, count + 1) for count in intervals.tolist()]
+    inner = [places[:-1] for places in local[:-1]]
+    window = np.repeat(np.arange(len(intervals)), [len(places) for places in (*inner, local[-1])])
+    return Located(window, read_only(np.concatenate([*inner, local[-1]])), lengths)

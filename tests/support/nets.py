@@ -1,0 +1,49 @@
+"""Random nets of many windows."""
+
+import numpy as np
+
+from qovr_core import Document, Formulation
+from qovr_core.geometry.knots import KNOT_NAMES
+
+R, S, U, T = range(len(KNOT_NAMES))
+
+
+def random_net_document(
+    seed, windows, *, formulation=Formulation.INTERPOLATING, smooth=1.0, flatness=1.0, samples=(61, 53), margin=0.2
+):
+    """Return a random document of m x n windows whose joints are smooth with a probability, and else sharp."""
+    rng = np.random.default_rng(seed)
+    m, n = windows
+    rows, columns = 2 * m + 3, 2 * n + 3
+    y, x = np.mgrid[:rows, :columns]
+    net = np.stack([x, y, 0 * x], axis=-1) + flatness * rng.uniform(-0.4, 0.4, (rows, columns, 3))
+    row_knots = _knots(rng, rows, n, smooth, margin)
+    column_knots = _knots(rng, columns, m, smooth, margin)
+    return Document(net, row_knots, column_knots, formulation, samples)
+
+
+def _knots(rng, curves, windows, smooth, margin):
+    knots = rng.uniform(margin, 1 - margin, (curves, windows, 4))
+    for joint in range(windows - 1):
+        if rng.random() < smooth:
+            knots[:, joint, T] = knots[:, joint + 1, R] = rng.uniform(margin, 1 - margin)
+            knots[:, joint, U] = knots[0, joint, U]
+            knots[:, joint + 1, U] = knots[0, joint + 1, U]
+    return knots
+
+
+def closed_net(seed, windows, along):
+    """Return a random document whose net closes along u, v or both."""
+    document = random_net_document(seed, windows, smooth=0.0)
+    net, rows, columns = (
+        document.control_points.copy(),
+        document.row_knots.array.copy(),
+        document.column_knots.array.copy(),
+    )
+    if "u" in along:
+        net[:, -3:], columns[-3:] = net[:, :3], columns[:3]
+    if "v" in along:
+        net[-3:], rows[-3:] = net[:3], rows[:3]
+    if len(along) == 2:
+        net[-3:, -3:] = net[:3, :3]
+    return Document(net, rows, columns, document.formulation, document.samples, closed=along)
