@@ -62,6 +62,7 @@ class Formulation(Record):
     active_rows, active_columns : the curves whose knots have an effect on the surface; None for all of them
     kernel_decimals : to how many decimals the inverse kernels are cut; None where they are exact
     resting_layer : the layer that lies on the control net
+    is_continuous : whether the windows of a net meet along whole curves, so that it has one surface; else each is alone
     is_as_claimed : whether it is the surface that the paper's claims describe
     summands : gives, for what ``build`` is given, how large all that is added up to a coordinate is together, (..., 3):
         the scale of its rounding, however much of it cancels. None has it taken from ``build``, far on the safe side
@@ -89,6 +90,7 @@ class Formulation(Record):
     active_columns: tuple[int, ...] | None = None
     kernel_decimals: int | None = None
     resting_layer: Layer = Layer.TRANSFORMED
+    is_continuous: bool = False
     is_as_claimed: bool = False
     summands: Summands | None = None
 
@@ -200,6 +202,7 @@ Formulation.INTERPOLATING = Formulation(
     build=boolean_sum,
     slope=boolean_sum_slope,
     resting_layer=Layer.RAW,
+    is_continuous=True,
     is_as_claimed=True,
     summands=boolean_sum_summands,
 )
