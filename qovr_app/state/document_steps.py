@@ -117,11 +117,11 @@ def live_switched(state: EditorState, intent: intents.LiveSwitched) -> EditorSta
 
 
 def configured(state: EditorState, _intent: intents.Configured) -> EditorState:
-    return _with_evaluation(state, Evaluation(state.document))
+    return _with_evaluation(state, Evaluation(state.document, state.evaluation))
 
 
 def opened(state: EditorState, intent: intents.Opened) -> EditorState:
-    history = History(intent.document, saved=0 if intent.is_saved else None)
+    history = History.of(intent.document, is_saved=intent.is_saved)
     file = DocumentFile(intent.title, intent.path, intent.stamp, intent.stamp, intent.preset, state.file.opening + 1)
     state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=None)
     state = replace(state, put_away=frozenset())
@@ -175,7 +175,7 @@ def with_document(
     """Return the state whose document is another one, as one named step; refused where it has no surface."""
     if document == state.document:
         return state
-    evaluation = Evaluation(document)
+    evaluation = Evaluation(document, state.evaluation)
     if state.is_live:
         state = _with_evaluation(state, evaluation)
     return _arrived(state, state.history.pushed(text, document, intent, gesture))
@@ -197,7 +197,7 @@ def _surface_shown(state: EditorState) -> EditorState:
     if not state.is_stale:
         return state
     try:
-        return _with_evaluation(state, Evaluation(state.document))
+        return _with_evaluation(state, Evaluation(state.document, state.evaluation))
     except EvaluationError as error:
         return with_message(state, f"{error}.", is_refusal=True)
 

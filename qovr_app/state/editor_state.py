@@ -233,7 +233,7 @@ def first_state(
     document: Document, file: DocumentFile, display: DisplaySettings, tools: ToolSettings | None = None
 ) -> EditorState:
     """Return the state with which a window begins, before its surface is configured."""
-    return EditorState(History(document), document, file, display=display, tools=tools or ToolSettings())
+    return EditorState(History.of(document), document, file, display=display, tools=tools or ToolSettings())
 
 
 def with_message(state: EditorState, text: str, *, is_refusal: bool = False) -> EditorState:

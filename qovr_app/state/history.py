@@ -1,37 +1,46 @@
-"""The undo history: documents and the intents that made them, as a value; never anything that can be computed again."""
+"""The undo history, as a value: what every step changed, and the document as it stands; never what can be computed."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
+from qovr_app.state.change import Change, backward, forward
 from qovr_app.state.intents import Intent
+from qovr_app.state.point_intents import PointsEdited
 from qovr_core import Document
+from qovr_core.net_edits import NetEdit
 
 MOST_STEPS = 2000
 """More steps than anybody takes back."""
 
 MOST_BYTES = 256 * 1024 * 1024
-"""What all documents of a history may take together; of 5 x 5 points, 2,000 steps stay far below."""
+"""What all steps of a history may take together; of moves of single points, 2,000 stay far below."""
 
-_BYTES_A_CURVE = 200
-"""A curve's four knots as Python holds them."""
+_BYTES_A_STEP = 500
+"""One step as Python holds it, without its change."""
 
 
 @dataclass(frozen=True, eq=False)
 class Step:
-    """One step: the document after it, what it is called, and what asked for it.
+    """One step: what it is called, and what it changed.
 
     Parameters
     ----------
     serial : a number that no other step of the history has
     gesture : the gesture that the step belongs to, 0 for none; steps of one gesture become one
+    edit : the edit of points that it was, which can be done once more; None for any other step
     """
 
     text: str
-    document: Document
-    intent: Intent | None
+    change: Change
     serial: int
     gesture: int = 0
+    edit: NetEdit | None = None
+
+    @property
+    def bytes_held(self) -> int:
+        """What it takes in memory."""
+        return _BYTES_A_STEP + self.change.bytes_held
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,14 +49,17 @@ class History:
 
     Parameters
     ----------
+    document : the document as it stands
     first : the document before the first step
     steps : the steps, the oldest first
     index : how many of the steps are done
     first_serial, last_serial : the serial of ``first``, and the last one that was given to a step
     saved : the serial of the document that lies in the file; None where none does
-    bytes_held : what the documents of the steps take
+    bytes_held : what the steps take
+    latest : what asked for the step that was made last; None where something else has been since
     """
 
+    document: Document
     first: Document
     steps: tuple[Step, ...] = ()
     index: int = 0
@@ -55,11 +67,12 @@ class History:
     last_serial: int = 0
     saved: int | None = 0
     bytes_held: int = 0
+    latest: Intent | None = None
 
-    @property
-    def document(self) -> Document:
-        """The document as it stands."""
-        return self._document_at(self.index)
+    @classmethod
+    def of(cls, document: Document, *, is_saved: bool = True) -> History:
+        """Return the history of a document of which nothing has changed yet."""
+        return cls(document, document, saved=0 if is_saved else None)
 
     @property
     def serial(self) -> int:
@@ -89,16 +102,14 @@ class History:
         """
         if document == self.document:
             return self
-        if not self._can_grow(gesture):
-            done, undone = self.steps[: self.index], self.steps[self.index :]
-            step = Step(text, document, intent, self.last_serial + 1, gesture)
-            held = self.bytes_held - sum(document_bytes(each.document) for each in undone) + document_bytes(document)
-            return replace(self._with_steps((*done, step), held), last_serial=step.serial)
-        if document == self._document_at(self.index - 1):
-            return self._with_steps(self.steps[:-1], self.bytes_held - document_bytes(self.document))
-        grown = replace(self.steps[-1], document=document, intent=intent)
-        held = self.bytes_held - document_bytes(self.document) + document_bytes(document)
-        return self._with_steps((*self.steps[:-1], grown), held)
+        grows = self._can_grow(gesture)
+        earlier = self.undone() if grows else self
+        if grows and document == earlier.document:
+            return replace(earlier, steps=self.steps[:-1], bytes_held=self.bytes_held - self.steps[-1].bytes_held)
+        edit = intent.edit if isinstance(intent, PointsEdited) else None
+        text, serial = (self.steps[-1].text, self.serial) if grows else (text, self.last_serial + 1)
+        step = Step(text, Change.between(earlier.document, document), serial, gesture, edit)
+        return earlier._with_step(document, step, intent)
 
     def without(self, gesture: int, earlier: History) -> History:
         """Return what this history was before a gesture, undone steps included; itself where more has been since."""
@@ -117,7 +128,14 @@ class History:
 
     def gone_to(self, index: int) -> History:
         """Return the history with so many steps done; the nearest there can be."""
-        return replace(self, index=min(max(index, 0), len(self.steps)))
+        there = min(max(index, 0), len(self.steps))
+        if there == self.index:
+            return self
+        if there < self.index:
+            document = backward(self.document, [step.change for step in reversed(self.steps[there : self.index])])
+        else:
+            document = forward(self.document, [step.change for step in self.steps[self.index : there]])
+        return replace(self, document=document, index=there, latest=None)
 
     def marked_saved(self, serial: int | None) -> History:
         """Return the history with the document of a serial as the one in the file; None where none is."""
@@ -127,23 +145,26 @@ class History:
         is_last = 0 < self.index == len(self.steps)
         return bool(gesture) and is_last and not self.is_saved and self.steps[-1].gesture == gesture
 
-    def _document_at(self, index: int) -> Document:
-        return self.steps[index - 1].document if index else self.first
-
-    def _with_steps(self, steps: tuple[Step, ...], held: int) -> History:
-        """Return the history with these steps, all done, the oldest gone where there are too many."""
+    def _with_step(self, document: Document, step: Step, intent: Intent | None) -> History:
+        """Return the history with one more step in place of all that are undone, without the oldest if too many."""
+        undone = self.steps[self.index :]
+        steps = (*self.steps[: self.index], step)
+        held = self.bytes_held - sum(each.bytes_held for each in undone) + step.bytes_held
         dropped = max(len(steps) - MOST_STEPS, 0)
-        held -= sum(document_bytes(step.document) for step in steps[:dropped])
+        held -= sum(each.bytes_held for each in steps[:dropped])
         while held > MOST_BYTES and dropped < len(steps) - 1:
-            held -= document_bytes(steps[dropped].document)
+            held -= steps[dropped].bytes_held
             dropped += 1
-        kept = replace(self, steps=steps[dropped:], index=len(steps) - dropped, bytes_held=held)
+        kept = replace(
+            self,
+            document=document,
+            steps=steps[dropped:],
+            index=len(steps) - dropped,
+            last_serial=max(self.last_serial, step.serial),
+            bytes_held=held,
+            latest=intent,
+        )
         if not dropped:
             return kept
-        return replace(kept, first=steps[dropped - 1].document, first_serial=steps[dropped - 1].serial)
-
-
-def document_bytes(document: Document) -> int:
-    """Return what a document takes in memory."""
-    curves = len(document.row_knots) + len(document.column_knots)
-    return document.control_points.nbytes + _BYTES_A_CURVE * curves
+        first = forward(self.first, [each.change for each in steps[:dropped]])
+        return replace(kept, first=first, first_serial=steps[dropped - 1].serial)

@@ -100,12 +100,11 @@ def _burst(state: EditorState, intent: point_intents.PointsNudged) -> int:
     Its numbers are negative: those of drags are not.
     """
     history = state.history
-    last = history.steps[history.index - 1] if history.index else None
-    before = last.intent if last is not None else None
-    if last is None or not isinstance(before, point_intents.PointsNudged) or before.indices != intent.indices:
+    before = history.latest
+    if not isinstance(before, point_intents.PointsNudged) or before.indices != intent.indices:
         return -1 - history.last_serial
     is_soon = 0 <= intent.at - before.at <= NUDGE_SECONDS
-    return last.gesture if is_soon else -1 - history.last_serial
+    return history.steps[-1].gesture if is_soon else -1 - history.last_serial
 
 
 def _gesture(state: EditorState, number: int) -> Gesture | None:

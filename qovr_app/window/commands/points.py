@@ -181,5 +181,5 @@ def _editing(edit: NetEdit) -> Callable[[EditorState], Intent]:
 
 def _last_edit(state: EditorState) -> NetEdit | None:
     """Return the last edit of points that was done and not taken back."""
-    done = (step.intent for step in reversed(state.history.steps[: state.history.index]))
-    return next((intent.edit for intent in done if isinstance(intent, point_intents.PointsEdited)), None)
+    done = reversed(state.history.steps[: state.history.index])
+    return next((step.edit for step in done if step.edit is not None), None)
