@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-from collections import deque
 from collections.abc import Callable
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent, Request
 from qovr_app.state.looking_steps import refused
 from qovr_app.state.next_state import next_state
+from qovr_app.state.session import Session
 from qovr_core import QovrError
 
 Listener = Callable[[EditorState | None, EditorState], None]
 """Called with the state that was shown last, None the first time, and the one to show now."""
-
-_LONGEST_SESSION = 1000
-"""As much as anybody reads of what led to a fault."""
 
 Dispatch = Callable[[Intent], QovrError | None]
 """Takes an intent; returns why it was not followed, or nothing."""
@@ -35,8 +32,7 @@ class Store:
         self._schedule = schedule
         self._perform: Callable[[Request], None] = _nobody_answers
         self._listeners: list[Listener] = []
-        self.session: deque[Intent] = deque(maxlen=_LONGEST_SESSION)
-        """What was asked for, the latest last; of a drag, where it went last."""
+        self.session = Session()
 
     @property
     def state(self) -> EditorState:
@@ -62,7 +58,7 @@ class Store:
         if isinstance(intent, Request):
             self._perform(intent)
             return None
-        self._note(intent)
+        self.session.note(intent)
         try:
             self._state = next_state(self._state, intent)
         except QovrError as error:
@@ -72,13 +68,6 @@ class Store:
         if self._state is not self._shown:
             self._schedule()
         return None
-
-    def _note(self, intent: Intent) -> None:
-        gesture = getattr(intent, "gesture", 0)
-        last = self.session[-1] if self.session else None
-        if gesture and type(last) is type(intent) and getattr(last, "gesture", 0) == gesture:
-            self.session.pop()
-        self.session.append(intent)
 
     def flush(self) -> None:
         """Say now what has changed; what listeners dispatch is said in the next turn."""
