@@ -2,24 +2,21 @@
 
 from __future__ import annotations
 
-import json
 import secrets
 import stat
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from PySide6.QtCore import QStandardPaths
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.intents import Stamp
 from qovr_app.window.process_lock import Hold, ProcessLock
-from qovr_core import Document, FileError, QovrError
+from qovr_app.window.recovery_file import Snapshot, read_snapshot, write_snapshot
+from qovr_core import FileError, QovrError
 from qovr_core.files.atomic import replacing
-from qovr_core.files.qovr_document import document_from_json, document_to_json
 
-_SUFFIX = ".unsaved.json"
+_SUFFIX = ".unsaved"
 
 _SET_ASIDE = ".damaged"
 """What is added to the name of a file that nobody can read."""
@@ -32,23 +29,6 @@ def recovery_folder() -> Path:
     """Return the folder of the recovery files of this user."""
     place = QStandardPaths.StandardLocation.GenericDataLocation
     return Path(QStandardPaths.writableLocation(place)) / "qovr-studio" / "recovery"
-
-
-@dataclass(frozen=True, eq=False)
-class Snapshot:
-    """What is kept of a document that is not saved.
-
-    Parameters
-    ----------
-    draft : the document with what is typed over it and not set; None where nothing is
-    path, stamp : the file that Save writes, and what it was when it was read or written last
-    """
-
-    document: Document
-    title: str
-    path: Path | None = None
-    stamp: Stamp | None = None
-    draft: Document | None = None
 
 
 def snapshot_of(state: EditorState) -> Snapshot | None:
@@ -96,8 +76,8 @@ class RecoveryStore:
         self._token = secrets.token_hex(8)
         self._lock: ProcessLock | None = None
 
-    def keep(self, snapshot: Snapshot) -> None:
-        """Write a document to this window's file, whole or not at all.
+    def keep(self, snapshot: Snapshot) -> int:
+        """Write a document to this window's file, whole or not at all; return how many bytes it takes.
 
         Raises
         ------
@@ -106,7 +86,8 @@ class RecoveryStore:
         if self._lock is None:
             self._claim()
         with replacing(self._file) as (draft,):
-            draft.write_text(json.dumps(_entries(snapshot)), encoding="utf-8")
+            write_snapshot(snapshot, draft)
+            return draft.stat().st_size
 
     def forget(self) -> None:
         """Delete this window's file, if there is one.
@@ -171,37 +152,17 @@ class RecoveryStore:
                     lock.let_go()
 
 
-def _entries(snapshot: Snapshot) -> dict[str, Any]:
-    """Return a snapshot as JSON holds it."""
-    draft = snapshot.draft
-    return {
-        "title": snapshot.title,
-        "path": None if snapshot.path is None else str(snapshot.path),
-        "stamp": snapshot.stamp,
-        "document": json.loads(document_to_json(snapshot.document)),
-        "draft": None if draft is None else json.loads(document_to_json(draft)),
-    }
-
-
 def _read(file: Path) -> Snapshot:
     """Return what a file holds.
 
     Raises
     ------
-    OSError, ValueError, KeyError, TypeError, RecursionError, QovrError : it is not what ``_entries`` makes
+    OSError, ValueError, KeyError, TypeError, RecursionError, QovrError : it is not what ``write_snapshot`` writes
     """
     status = file.stat()
     if not stat.S_ISREG(status.st_mode) or status.st_size > _LARGEST_FILE:
         raise ValueError("it is none of this program's files")
-    entries = json.loads(file.read_text(encoding="utf-8"))
-    path, stamp = entries["path"], entries.get("stamp")
-    return Snapshot(
-        document=document_from_json(json.dumps(entries["document"])),
-        title=str(entries["title"]),
-        path=None if path is None else Path(path),
-        stamp=None if stamp is None else tuple(map(int, stamp)),
-        draft=None if entries.get("draft") is None else document_from_json(json.dumps(entries["draft"])),
-    )
+    return read_snapshot(file)
 
 
 def _set_aside(file: Path, error: Exception) -> str:

@@ -16,7 +16,8 @@ from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.requests import RecoveryAnswered
 from qovr_app.widgets.notice import Notice
 from qovr_app.window.document_shell import DocumentShell
-from qovr_app.window.recovery import RecoveryStore, Snapshot, Unsaved
+from qovr_app.window.recovery import RecoveryStore, Unsaved
+from qovr_app.window.recovery_file import Snapshot
 from qovr_app.window.shell import Answers
 from qovr_app.window.windows import Windows
 from qovr_app.work.worker import Worker

@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import time
+
 from PySide6.QtCore import QObject, Signal
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.window.recovery import RecoveryStore, Snapshot, Unsaved, snapshot_of
+from qovr_app.window.recovery import RecoveryStore, Unsaved, snapshot_of
+from qovr_app.window.recovery_file import Snapshot
 from qovr_app.work.worker import Worker
 from qovr_core import FileError, QovrError
+
+_BYTES_A_SECOND = 10_000_000
+"""No more is written while a large net is dragged: its file takes two megabytes, and every move asks for it."""
 
 
 class RecoveryWriter(QObject):
     """Keeps a window's document in a recovery store for as long as it is not saved.
 
     A thread writes, always the latest document: a slow disk delays no drag, and a kill loses at most what was set
-    while one small file was written.
+    while one file was written, and while the disk rests from a large one.
 
     Signals
     -------
@@ -66,14 +72,15 @@ class RecoveryWriter(QObject):
     def _write(self, asked: int, snapshot: Snapshot | None) -> None:
         if asked < self._asked:
             return  # a later call will write a later document
-        superseded = self._superseded[:]
+        superseded, size = self._superseded[:], 0
         if snapshot is None:
             self._store.forget()
         else:
-            self._store.keep(snapshot)
+            size = self._store.keep(snapshot)
         for entry in superseded:
             self._superseded.remove(entry)
             entry.remove()
+        time.sleep(size / _BYTES_A_SECOND)
 
     def _on_written(self) -> None:
         self._has_failed = False

@@ -1,6 +1,5 @@
 """SIGTERM, Ctrl-C and a closed terminal end the editor in order, whatever goes on in it."""
 
-import json
 import os
 import signal
 import subprocess
@@ -9,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from support.recovery_reader import kept_in
 from support.signalled import HEIGHT
 
 TESTS = Path(__file__).resolve().parents[1]
@@ -73,4 +73,5 @@ def test_a_signal_ends_in_order_and_keeps_what_is_not_saved(start, tmp_path, num
     assert editor.stderr.read() == ""
     folder = tmp_path / "data" / "qovr-studio" / "recovery"
     (kept,) = folder.iterdir()
-    assert json.loads(kept.read_text())["document"]["control_points"][2][2][2] == HEIGHT
+    _, (document,) = kept_in(kept)
+    assert document["control_points"][2, 2, 2] == HEIGHT

@@ -1800,7 +1800,7 @@ def range_asked(editor: Editor) -> None:
 
 
 def _kept_documents(editor: Editor) -> list[Path]:
-    return list(editor.data.rglob("*.unsaved.json"))
+    return list(editor.data.rglob("*.unsaved*"))
 
 
 @state(dark=True)
@@ -1809,7 +1809,7 @@ def recovery_offered(editor: Editor) -> None:
     editor.type_into("control_points.P_2_2.z", "0.9")
     editor.wait_until(lambda: _kept_documents(editor))
     (kept,) = _kept_documents(editor)
-    content, left = kept.read_bytes(), kept.with_name("0123456789abcdef.unsaved.json")
+    content, left = kept.read_bytes(), kept.with_name("0123456789abcdef" + "".join(kept.suffixes))
     editor.close()
     left.write_bytes(content)
     os.utime(left, (1_700_000_000, 1_700_000_000))

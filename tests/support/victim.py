@@ -4,11 +4,11 @@ It prints a line ``set JSON`` for every document right before it is set, and ``k
 be on the disk.
 """
 
-import json
 import random
 import sys
 from pathlib import Path
 
+import numpy as np
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QAbstractButton, QApplication, QLineEdit
 
@@ -20,12 +20,14 @@ from qovr_core.edits import Direction, KnotPlace, linked_places, set_values
 from qovr_core.files import ExportOptions
 from qovr_core.files.qovr_document import document_to_json
 from support.editor import Editor, name_of, wait_until
+from support.recovery_reader import kept_in
 
 
 def lies_in_recovery(document):
     """Return whether the recovery folder holds a document as unsaved."""
-    texts = (file.read_text(encoding="utf-8") for file in recovery_folder().glob("*.unsaved.json"))
-    return any(json.loads(text)["document"] == json.loads(document_to_json(document)) for text in texts)
+    kept = (kept_in(file)[1][0] for file in recovery_folder().glob("*.unsaved"))
+    wanted = [document.control_points, document.row_knots.array, document.column_knots.array]
+    return any(all(map(np.array_equal, arrays.values(), wanted)) for arrays in kept)
 
 
 def main():

@@ -14,10 +14,12 @@ from PySide6.QtWidgets import QMenu
 
 from qovr_app.window.placing import fitted
 from qovr_app.window.preferences import Preferences
-from qovr_app.window.recovery import RecoveryStore, Snapshot, recovery_folder
+from qovr_app.window.recovery import RecoveryStore, recovery_folder
+from qovr_app.window.recovery_file import Snapshot
 from qovr_core.files import write_document
 from qovr_core.presets import preset
 from support.editor import wait_until
+from support.recovery_reader import kept_in
 
 FIG5 = preset("fig5").document
 
@@ -73,13 +75,13 @@ def test_damaged_recovery_files_are_set_aside_and_the_others_offered(make_editor
     store.keep(Snapshot(FIG5, "whole"))
     store.release()
     for name, content in DAMAGED.items():
-        (recovery_folder() / f"{name}.unsaved.json").write_bytes(content)
-    (recovery_folder() / "folder.unsaved.json").mkdir()
-    os.mkfifo(recovery_folder() / "pipe.unsaved.json")
+        (recovery_folder() / f"{name}.unsaved").write_bytes(content)
+    (recovery_folder() / "folder.unsaved").mkdir()
+    os.mkfifo(recovery_folder() / "pipe.unsaved")
     editor = make_editor()
     assert "Unsaved changes to whole" in editor.find("recovery.text").text()
     assert "was set aside as" in editor.message()
-    aside = {path.name.removesuffix(".unsaved.json.damaged") for path in recovery_folder().glob("*.damaged")}
+    aside = {path.name.removesuffix(".unsaved.damaged") for path in recovery_folder().glob("*.damaged")}
     assert aside == {*DAMAGED, "folder", "pipe"}
 
 
@@ -104,8 +106,8 @@ def test_a_stale_lock_keeps_nothing_back(make_editor, text):
 
 def test_a_lock_of_a_living_process_is_respected(make_editor):
     code = (
-        "import sys\nfrom pathlib import Path\nfrom qovr_app.window.recovery import RecoveryStore, Snapshot\n"
-        "from qovr_core.presets import preset\n"
+        "import sys\nfrom pathlib import Path\nfrom qovr_app.window.recovery import RecoveryStore\n"
+        "from qovr_app.window.recovery_file import Snapshot\nfrom qovr_core.presets import preset\n"
         "store = RecoveryStore(Path(sys.argv[1]))\nstore.keep(Snapshot(preset('fig5').document, 'theirs'))\n"
         "print('kept', flush=True)\nsys.stdin.read()\n"
     )
@@ -132,11 +134,12 @@ def test_the_old_recovery_file_goes_after_the_new_one_is_there(make_editor, monk
         patch.setattr(RecoveryStore, "keep", full)
         editor.click("recovery.restore")
         wait_until(lambda: "A crash would lose" in editor.message())
-        assert len(list(recovery_folder().glob("*.unsaved.json"))) == 1
+        assert len(list(recovery_folder().glob("*.unsaved"))) == 1
     editor.type_into("row_knots.C_0.r", "0.3")
     QTest.qWait(300)
-    (kept,) = recovery_folder().glob("*.unsaved.json")
-    assert '"r": 0.3' in kept.read_text()
+    (kept,) = recovery_folder().glob("*.unsaved")
+    _, (document,) = kept_in(kept)
+    assert document["row_knots"][0, 0, 0] == 0.3
 
 
 def settings_file():

@@ -45,7 +45,7 @@ def test_nothing_is_offered_after_a_regular_end(make_editor):
     first = make_editor()
     first.type_into("row_knots.C_0.r", "0.3")
     QTest.qWait(400)
-    assert recovery_files() == ["lock", "unsaved.json"]
+    assert recovery_files() == ["lock", "unsaved"]
     first.discard()
     assert recovery_files() == []
     assert not make_editor().find("recovery").isVisible()
@@ -79,7 +79,7 @@ def test_a_living_window_keeps_its_own(make_editor):
     assert not second.find("recovery").isVisible()
     second.type_into("row_knots.C_0.r", "0.7")
     QTest.qWait(400)
-    assert recovery_files() == ["lock", "lock", "unsaved.json", "unsaved.json"]
+    assert recovery_files() == ["lock", "lock", "unsaved", "unsaved"]
 
 
 def test_each_of_several_documents_is_restored_in_a_window_of_its_own(make_editor, home):
@@ -115,7 +115,7 @@ def test_damaged_recovery_files_are_no_offer(make_editor, home):
 
     recovery_folder().mkdir(parents=True)
     for number, text in enumerate(("", "[]", "{}", '{"title": "a", "path": 7, "document": {}}', "\x00")):
-        (recovery_folder() / f"{number}.unsaved.json").write_text(text)
+        (recovery_folder() / f"{number}.unsaved").write_text(text)
     assert not make_editor().find("recovery").isVisible()
 
 
