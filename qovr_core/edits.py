@@ -63,6 +63,13 @@ def check_points(document: Document, indices: Iterable[NetIndex]) -> None:
             raise DocumentError("the point", f"P {i},{j}", f"one of a net of {rows} x {columns}")
 
 
+def check_window(document: Document, window: Window) -> None:
+    """Raise DocumentError where the net has no such window."""
+    (m, n), (a, b) = document.windows, window
+    if not (0 <= a < m and 0 <= b < n):
+        raise DocumentError("the window", f"{a},{b}", f"one of 0,0 to {m - 1},{n - 1}")
+
+
 def set_point(document: Document, i: int, j: int, point: npt.ArrayLike) -> Document:
     """Return the document with P_{i,j} at ``point``, (3,)."""
     net = document.control_points.copy()
@@ -197,12 +204,10 @@ def extract_window(document: Document, window: Window) -> Document:
     ------
     DocumentError : there is no such window
     """
-    m, n = document.windows
-    if document.windows == (1, 1) == (window[0] + 1, window[1] + 1):
+    check_window(document, window)
+    if document.windows == (1, 1):
         return document
-    a, b = window
-    if not (0 <= a < m and 0 <= b < n):
-        raise DocumentError("the window", f"{a},{b}", f"one of 0,0 to {m - 1},{n - 1}")
+    (m, n), (a, b) = document.windows, window
     rows, columns = slice(STEP * a, STEP * a + NET_SIZE), slice(STEP * b, STEP * b + NET_SIZE)
     counts = zip(document.samples, (n, m), (b, a), strict=True)
     return Document(
@@ -242,5 +247,4 @@ def _close(net: Array, before: Array) -> None:
     """Bring the first three and the last three of a closed net's lines together again: those that have moved lead."""
     first, last = slice(None, ALIKE_WHERE_CLOSED), slice(len(net) - ALIKE_WHERE_CLOSED, None)
     is_moved = net[last] != before[last]
-    joined = np.where(is_moved, net[last], net[first])
-    net[first] = net[last] = joined
+    net[first] = net[last] = np.where(is_moved, net[last], net[first])

@@ -6,7 +6,9 @@ from collections.abc import Callable, Container, Mapping
 from dataclasses import replace
 
 from qovr_app.state import intents
-from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_layer_in_place, with_message
+from qovr_app.state.display import LayerChoice
+from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_message
+from qovr_app.state.focus import fitted, with_focus
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
@@ -124,7 +126,7 @@ def opened(state: EditorState, intent: intents.Opened) -> EditorState:
     history = History.of(intent.document, is_saved=intent.is_saved)
     file = DocumentFile(intent.title, intent.path, intent.stamp, intent.stamp, intent.preset, state.file.opening + 1)
     state = replace(state, file=file, texts={}, selection=Selection(), knot_came_last=True, gesture=None)
-    state = replace(state, put_away=frozenset())
+    state = with_focus(replace(state, put_away=frozenset()), (0, 0))
     state = with_message(state, intent.message) if intent.message else state
     # Where the planes of symmetry stand is meant for one document.
     state = replace(state, tools=replace(state.tools, mirror_rows=ROWS_MIRROR, mirror_columns=COLUMNS_MIRROR))
@@ -187,6 +189,8 @@ def _arrived(state: EditorState, history: History) -> EditorState:
     draft = after if state.is_live else edits.rebase(state.draft, before, after)
     texts = _still_typed(state.texts, state.draft, draft)
     state = replace(state, history=history, draft=draft, texts=texts)
+    if before.windows != after.windows:
+        state = fitted(state)
     if before != after and state.message and state.message.is_refusal:
         state = replace(state, message=None)
     return _surface_shown(state) if state.is_live else state
@@ -206,13 +210,25 @@ def _with_evaluation(state: EditorState, evaluation: Evaluation) -> EditorState:
     """Return the state with another surface; where its formulation is new here, its resting layer is shown."""
     before = state.evaluation.document.formulation if state.evaluation else None
     state = replace(state, evaluation=evaluation)
-    return state if evaluation.document.formulation == before else with_layer_in_place(state, evaluation)
+    return state if evaluation.document.formulation == before else _with_layer_in_place(state, evaluation)
+
+
+def _with_layer_in_place(state: EditorState, evaluation: Evaluation) -> EditorState:
+    """Return the state that shows the layer which lies on the control net, unless both are shown."""
+    layer = LayerChoice(str(evaluation.document.formulation.resting_layer))
+    if state.display.layer in (LayerChoice.BOTH, layer):
+        return state
+    return replace(state, display=replace(state.display, layer=layer))
 
 
 def _still_typed(texts: Mapping[Place, str], before: Document, after: Document) -> Mapping[Place, str]:
-    """Return the texts over numbers that have stayed: another number drops what was typed over the one before."""
+    """Return the texts over numbers that have stayed: another number drops what was typed over the one before, and a
+    net of another shape all.
+    """
     if not texts or before is after:
         return texts
+    if before.windows != after.windows:
+        return {}
     return {place: text for place, text in texts.items() if value_at(before, place) == value_at(after, place)}
 
 

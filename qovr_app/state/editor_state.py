@@ -7,14 +7,14 @@ from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
 
-from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
+from qovr_app.state.display import DisplaySettings, Placement
 from qovr_app.state.history import History
 from qovr_app.state.intents import Stamp
-from qovr_app.state.knot_links import Links, Window
+from qovr_app.state.knot_links import Links
 from qovr_app.state.pending import with_typed
 from qovr_app.state.tools import ToolSettings
 from qovr_core import Document, Evaluation, ParametricSurface
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 from qovr_core.edits import Place, Zone, copy_zone, value_at
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT
@@ -202,7 +202,9 @@ class EditorState:
         """What view and panels show: the surface configured last, over the net as it is now; the same while it is."""
         if self.evaluation is None:
             return None
-        return _over_net(self.evaluation.document, self.document) if self.is_stale else self.evaluation.document
+        shown = self.evaluation.document
+        is_alike = (shown.windows, shown.closed) == (self.document.windows, self.document.closed)
+        return _over_net(shown, self.document) if self.is_stale and is_alike else shown
 
     @property
     def focus(self) -> Focus:
@@ -240,11 +242,3 @@ def with_message(state: EditorState, text: str, *, is_refusal: bool = False) -> 
     """Return the state that says one sentence."""
     serial = state.message.serial + 1 if state.message else 1
     return replace(state, message=Message(text, is_refusal, serial))
-
-
-def with_layer_in_place(state: EditorState, evaluation: Evaluation) -> EditorState:
-    """Return the state that shows the layer which lies on the control net, unless both are shown."""
-    layer = LayerChoice(str(evaluation.document.formulation.resting_layer))
-    if state.display.layer in (LayerChoice.BOTH, layer):
-        return state
-    return replace(state, display=replace(state.display, layer=layer))

@@ -5,22 +5,23 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_core import Document, edits
+from qovr_core.document import Window
 from qovr_core.geometry.knots import Direction, KnotPlace
-
-Window = tuple[int, int]
-"""A window (a, b) of the net: b counts along the row curves, a along the column curves."""
 
 
 @dataclass(frozen=True)
 class Links:
-    """What shares a knot that is set by hand: all curves of its direction, rows and columns."""
+    """What shares a knot that is set by hand: all curves of its direction, rows and columns, all windows."""
 
     curves: bool = True
     directions: bool = False
+    windows: bool = False
 
     def places(self, document: Document, place: KnotPlace) -> tuple[KnotPlace, ...]:
         """Return the knots that change with one of a document, itself among them."""
-        return edits.linked_places(document, place, curves=self.curves, directions=self.directions)
+        return edits.linked_places(
+            document, place, curves=self.curves, directions=self.directions, windows=self.windows
+        )
 
 
 def window_along(window: Window, direction: Direction) -> int:

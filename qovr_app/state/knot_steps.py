@@ -11,7 +11,7 @@ from qovr_app.state.knot_intents import KnotsSet, LinkSwitched
 from qovr_app.state.names import edit_text
 from qovr_core import Document, DocumentError, edits
 from qovr_core.edits import Place, knots_of, value_at
-from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.symmetry import mirrored_values
 
 
@@ -59,20 +59,13 @@ def _places(state: EditorState, intent: KnotsSet) -> tuple[KnotPlace, ...]:
     if intent.curve is not None and intent.curve not in curves:
         first, last = (direction.curve_name(k) for k in (curves[0], curves[-1]))
         raise DocumentError("the curve", direction.curve_name(intent.curve), f"one of {first} to {last}")
-    windows = _window_count(document, direction)
+    windows = knots_of(document, direction).windows
     if not 0 <= intent.window < windows:
         expected = "0, the only one" if windows == 1 else f"0 to {windows - 1}"
         raise DocumentError(f"the window along {direction.letter}", str(intent.window), expected)
     if intent.curve is None:
-        return tuple(KnotPlace(direction, curve, intent.name) for curve in curves)
-    return state.links.places(document, KnotPlace(direction, intent.curve, intent.name))
-
-
-def _window_count(document: Document, direction: Direction) -> int:
-    """Return how many windows a curve runs through: two points more are one window more."""
-    rows, columns, _ = document.control_points.shape
-    points: int = columns if direction is Direction.ROWS else rows
-    return (points - 3) // 2
+        return tuple(KnotPlace(direction, curve, intent.name, intent.window) for curve in curves)
+    return state.links.places(document, KnotPlace(direction, intent.curve, intent.name, intent.window))
 
 
 def _begun(state: EditorState, intent: KnotsSet) -> Document:

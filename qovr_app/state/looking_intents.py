@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from qovr_app.state.intents import Intent
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 from qovr_core.edits import Place
 
 
@@ -39,6 +39,13 @@ class FieldFocused(Intent):
     """The field at a place has the keyboard now."""
 
     place: Place
+
+
+@dataclass(frozen=True)
+class WindowFocused(Intent):
+    """A window (a, b) of the net is the one that the zones and the laboratory show."""
+
+    window: Window
 
 
 @dataclass(frozen=True)

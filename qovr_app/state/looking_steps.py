@@ -8,12 +8,13 @@ from typing import Any
 from qovr_app.state import looking_intents
 from qovr_app.state.display import PAPER_LOOK, ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
+from qovr_app.state.focus import has_point, nearest_window, with_focus
 from qovr_app.state.looking_intents import Picking
 from qovr_app.state.names import in_window_words
 from qovr_app.state.tools import check_setting
 from qovr_core import Layer, QovrError
 from qovr_core.document import NetIndex
-from qovr_core.edits import CoordinatePlace, check_points, zone_of
+from qovr_core.edits import CoordinatePlace, check_points, check_window, zone_of
 from qovr_core.fields import Field
 
 DRAG_HINT = "Drag: up and down along z. Tap X, Y or Z: along that axis. Type a value. Esc: put the point back."
@@ -28,6 +29,9 @@ def selected(state: EditorState, intent: looking_intents.Selected) -> EditorStat
         return replace(state, selection=Selection(), knot_came_last=False, message=None)
     latest = next((index for index in (intent.last, state.selection.last) if index in points), None) or min(points)
     state = _with_points(state, latest, points)
+    arrived = points.intersection(picked)
+    if arrived and not any(has_point(state.window, index) for index in arrived):
+        state = with_focus(state, nearest_window(state.document, state.window, latest))
     if len(points) > 1:
         return with_message(state, f"{len(points)} points are selected.")
     return with_message(state, "P {},{}.  {}".format(*latest, DRAG_HINT))
@@ -53,12 +57,18 @@ def points_put_away(state: EditorState, intent: looking_intents.PointsPutAway) -
 
 def field_focused(state: EditorState, intent: looking_intents.FieldFocused) -> EditorState:
     place = intent.place
+    state = with_focus(state, nearest_window(state.document, state.window, place))
     others = {zone: other for zone, other in state.fields.items() if zone is not zone_of(place)}
     state = replace(state, fields={**others, zone_of(place): place})
     if isinstance(place, CoordinatePlace):
         point = (place.i, place.j)
         return _with_points(state, point, frozenset((point,)))
     return replace(state, knot=place, knot_came_last=True)
+
+
+def window_focused(state: EditorState, intent: looking_intents.WindowFocused) -> EditorState:
+    check_window(state.document, intent.window)
+    return with_focus(state, intent.window)
 
 
 def _with_points(state: EditorState, last: NetIndex, points: frozenset[NetIndex]) -> EditorState:

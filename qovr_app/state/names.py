@@ -46,13 +46,15 @@ def in_window_words(text: str) -> str:
     return _PLACE.sub(lambda found: label(_place(found)), text)
 
 
-_PLACE = re.compile(r"\b(row_knots|column_knots)\[(\d+)\]\.([rsut])\b|\bcontrol_points\[(\d+)\]\[(\d+)\]\[([012])\]")
+_PLACE = re.compile(
+    r"\b(row_knots|column_knots)\[(\d+)\](?:\[(\d+)\])?\.([rsutv])\b|\bcontrol_points\[(\d+)\]\[(\d+)\]\[([012])\]"
+)
 
 
 def _place(found: re.Match[str]) -> Place:
-    family, curve, name, *indices = found.groups()
+    family, curve, window, letter, *indices = found.groups()
     if family:
-        return KnotPlace(Direction(family), int(curve), name)
+        return KnotPlace(Direction(family), int(curve), "u" if letter == "v" else letter, int(window or 0))
     i, j, axis = map(int, indices)
     return CoordinatePlace(i, j, axis)
 

@@ -51,6 +51,7 @@ _STEPS: dict[type[intents.Intent], Callable[[EditorState, Any], EditorState]] = 
     looking_intents.Selected: looking_steps.selected,
     looking_intents.PointsPutAway: looking_steps.points_put_away,
     looking_intents.FieldFocused: looking_steps.field_focused,
+    looking_intents.WindowFocused: looking_steps.window_focused,
     looking_intents.DisplayChosen: looking_steps.display_chosen,
     looking_intents.PaperLookChosen: looking_steps.paper_look_chosen,
     looking_intents.ToolChosen: looking_steps.tool_chosen,

@@ -71,6 +71,7 @@ EXAMPLES = {
         st.lists(INDICES).map(tuple),
         st.sampled_from(looking_intents.Picking),
     ),
+    looking_intents.WindowFocused: st.builds(looking_intents.WindowFocused, INDICES),
     looking_intents.ToolChosen: st.just(looking_intents.ToolChosen("way", Way.NORMAL)),
     looking_intents.FieldFocused: st.builds(looking_intents.FieldFocused, PLACES),
     looking_intents.DisplayChosen: st.just(looking_intents.DisplayChosen("layer", LayerChoice.BOTH)),
