@@ -43,6 +43,7 @@ class Actions(QObject):
         """Bring check marks, enabled and the texts that say a noun to a state."""
         for command in self.commands:
             action = self._actions[command.name]
+            action.setVisible(command.is_shown(state))
             action.setEnabled(command.is_enabled(state))
             if command.is_checked is not None:
                 action.setChecked(command.is_checked(state))

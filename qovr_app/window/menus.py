@@ -36,12 +36,19 @@ _BAR_EDITS = {
     "live": "Live",
     "link_curves": "Link curves",
     "link_directions": "Link directions",
+    "link_windows": "Link windows",
     "": "",
     "undo": "Undo",
     "redo": "Redo",
 }
 
-_SHORTER = {"link_directions": "+ directions", "undo": "↶", "redo": "↷", "scaling_equal": "1:1"}
+_SHORTER = {
+    "link_directions": "+ directions",
+    "link_windows": "+ windows",
+    "undo": "↶",
+    "redo": "↷",
+    "scaling_equal": "1:1",
+}
 """What the bars say in a narrow window, so that what is nowhere else on the screen stays in them."""
 
 _BAR_TOOLS = {"snap": ("Snap", "snap_step"), "soft": ("Soft", "soft_radius")}

@@ -57,8 +57,10 @@ class Palette(QDialog):
         Before anything is typed none is chosen but the one given last: Enter alone must not do what was not asked for.
         """
         words = text.lower().split()
-        commands = [command for command in self._actions.commands if command.name != _OWN]
-        found = [command for command in commands if all(word in _words(command) for word in words)]
+        commands = [each for each in self._actions.commands if self._actions[each.name].isVisible()]
+        found = [
+            command for command in commands if command.name != _OWN and all(word in _words(command) for word in words)
+        ]
         self._list.clear()
         for command in sorted(found, key=self._distance(text.lower())):
             self._list.addItem(self._item(command))

@@ -4,6 +4,7 @@ from qovr_app.window.commands.command import Command
 from qovr_app.window.commands.document import edit_commands, file_commands, preference_commands, surface_commands
 from qovr_app.window.commands.fields import field_commands
 from qovr_app.window.commands.hiding import hiding_commands
+from qovr_app.window.commands.net_windows import net_window_commands
 from qovr_app.window.commands.points import point_commands, selection_commands
 from qovr_app.window.commands.tools import go_commands, help_commands, laboratory_commands, probe_commands
 from qovr_app.window.commands.tools_of_points import tool_commands
@@ -26,6 +27,7 @@ def command_table() -> tuple[Command, ...]:
         *surface_commands(),
         *view_commands(),
         *go_commands(),
+        *net_window_commands(),
         *laboratory_commands(),
         *probe_commands(),
         *preference_commands(),

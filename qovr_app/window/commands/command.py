@@ -30,6 +30,7 @@ class Command:
     group : commands of one group exclude each other
     is_checked : whether it has its check mark; None where it has none ever
     is_enabled : whether it can be asked for
+    is_shown : whether menus and bars have it at all
     noun : what the text ends with in a state, as the step that Undo takes back
     begins_part : whether the menu has a line before it
     needs : what has to be done before it can be asked for
@@ -44,6 +45,7 @@ class Command:
     group: str = ""
     is_checked: Callable[[EditorState], bool] | None = None
     is_enabled: Callable[[EditorState], bool] = _always
+    is_shown: Callable[[EditorState], bool] = _always
     noun: Callable[[EditorState], str] | None = None
     begins_part: bool = False
     needs: str = ""

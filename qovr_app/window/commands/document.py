@@ -8,6 +8,7 @@ from PySide6.QtGui import QKeySequence
 
 from qovr_app.state import intents, knot_intents, requests
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import is_net
 from qovr_app.state.intents import Intent
 from qovr_app.window.commands.command import Command, asking
 from qovr_app.window.commands.points import repeat_command
@@ -229,5 +230,15 @@ def surface_commands() -> tuple[Command, ...]:
             "Ctrl+Shift+K",
             "Editing a knot sets it on rows and columns alike",
             is_checked=lambda state: state.links.directions,
+        ),
+        Command(
+            "link_windows",
+            "Link &windows",
+            lambda state: knot_intents.LinkSwitched("windows", not state.links.windows),
+            menu,
+            "Ctrl+Alt+K",
+            "Editing a knot sets it in all windows of the net",
+            is_checked=lambda state: state.links.windows,
+            is_shown=is_net,
         ),
     )
