@@ -58,6 +58,22 @@ def curve_network(document: Document) -> CurveNetwork:
     return CurveNetwork(rows, columns)
 
 
+def window_rounding(document: Document, base: tuple[Document, Array] | None = None) -> Array:
+    """Return what ``surface_rounding`` is of each window, (m, n, 3).
+
+    Parameters
+    ----------
+    base : another document and its windows' rounding; only windows that differ from it are computed
+    """
+    arrays = document_arrays(document)
+    with np.errstate(all="ignore"):  # what overflows is all rounding, and what underflows has its least size
+        if base is None or not _is_alike(document, base[0]):
+            return read_only(document.formulation.rounding(*arrays))
+        touched, rounding = np.nonzero(_touched(document, base[0])), base[1].copy()
+        rounding[touched] = document.formulation.rounding(*(array[touched] for array in arrays))
+        return read_only(rounding)
+
+
 def surface_rounding(document: Document) -> Array:
     """Return up to what size a coordinate of a document's raw surface is no more than rounding, (3,) for x, y and z.
 
@@ -69,8 +85,7 @@ def surface_rounding(document: Document) -> Array:
     >>> surface_rounding(Document(net)) < 1e-12
     array([ True,  True,  True])
     """
-    with np.errstate(all="ignore"):  # what overflows is all rounding, and what underflows has its least size
-        return read_only(document.formulation.rounding(*document_arrays(document)).max(axis=(0, 1)))
+    return read_only(window_rounding(document).max(axis=(0, 1)))
 
 
 def build_patch(document: Document, base: tuple[Document, Patch] | None = None) -> Patch:

@@ -9,7 +9,7 @@ from typing import Any, Final, TypeVar
 import numpy as np
 
 from qovr_core.arrays import Array, Indices, read_only
-from qovr_core.construction import CurveNetwork, build_patch, curve_network, surface_rounding
+from qovr_core.construction import CurveNetwork, build_patch, curve_network, window_rounding
 from qovr_core.document import Document
 from qovr_core.geometry.alignment import Alignment, align, bounding_box
 from qovr_core.geometry.locate import even, spread
@@ -18,6 +18,8 @@ from qovr_core.geometry.rounding import NOISE
 from qovr_core.layer import Layer
 
 _T = TypeVar("_T")
+
+_ROUNDING = "rounding of windows"
 
 
 def parameters(samples: int) -> Array:
@@ -55,6 +57,8 @@ class Evaluation:
     def __init__(self, document: Document, base: Evaluation | None = None) -> None:
         self.document: Final = document
         self.patch: Final[Patch] = build_patch(document, (base.document, base.patch) if base else None)
+        known = base._known.get(_ROUNDING) if base else None  # the base itself, and what it stood on, is not kept
+        self._base = (base.document, known) if base and known is not None else None
         self._known: dict[str, Any] = {}
         self._lock = RLock()
 
@@ -91,7 +95,8 @@ class Evaluation:
     @property
     def rounding(self) -> Array:
         """Up to what size a raw coordinate, or a difference of two, is no more than rounding, (3,) for x, y and z."""
-        return self._once("rounding", lambda: surface_rounding(self.document))
+        windows = self._once(_ROUNDING, lambda: window_rounding(self.document, self._base))
+        return self._once("rounding", lambda: read_only(windows.max(axis=(0, 1))))
 
     def layer_rounding(self, layer: Layer) -> Array:
         """Return up to what size a coordinate of a layer, or a difference of two, is no more than rounding, (3,)."""

@@ -197,31 +197,26 @@ def evaluate_scattered_pieces(
 
 
 @np.errstate(under="ignore")  # what underflows is nothing
-def box(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
+def box(coefficients: Array, along_u: PieceBasis, along_v: PieceBasis) -> Array:
     """Return the box of the points alone, (d, 2) with columns min and max; no more than a block of them is ever held.
 
-    Parameters
-    ----------
-    coefficients : (a, b, d)
-    basis_u : (n, a)
-    basis_v : (m, b)
+    Parameters are those of ``evaluate_pieces``.
     """
-    m, d = len(basis_v), coefficients.shape[2]
-    along_u, along_v = (PieceBasis(basis, (0, len(basis))) for basis in (basis_u, basis_v))
-    table = _table(coefficients[None, None], along_v)[0]
+    n, d, m = coefficients.shape[1], coefficients.shape[4], len(along_v.values)
+    table = _table(coefficients, along_v)
     row_bytes = table.itemsize * m * d
 
     def work(blocks: list[_Block]) -> tuple[Array, Array]:
         low, high = np.full(m * d, np.inf), np.full(m * d, -np.inf)
-        held = np.empty((len(basis_u[blocks[0][1]]), m * d))
-        for _, rows in blocks:
-            u = basis_u[rows]
+        held = np.empty((max(rows.stop - rows.start for _, rows in blocks), m * d))
+        for piece, rows in blocks:
+            u = along_u.values[rows]
             block = held[: len(u)]
-            np.matmul(u, table, out=block)
+            np.matmul(u, table[piece], out=block)
             np.minimum(low, block.min(axis=0), out=low)
             np.maximum(high, block.max(axis=0), out=high)
         return low.reshape(m, d).min(axis=0), high.reshape(m, d).max(axis=0)
 
-    parts = _over_blocks(_blocks(along_u, range(1), row_bytes), len(basis_u) * row_bytes, work)
+    parts = _over_blocks(_blocks(along_u, range(n), row_bytes), len(along_u.values) * row_bytes, work)
     low, high = (np.array(bounds) for bounds in zip(*parts, strict=True))
     return np.stack([low.min(axis=0), high.max(axis=0)], axis=1)

@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, Indices, read_only
-from qovr_core.geometry import bernstein, differential, extent, grid, locate, window_boxes
+from qovr_core.geometry import bernstein, differential, extent, grid, locate, sampled_box
 from qovr_core.geometry.differential import Curvature, Domain
 from qovr_core.geometry.edges import Edge
 
@@ -134,13 +134,13 @@ class Patch:
         return self._on_grid(locate.even(intervals_u), locate.even(intervals_v), (0, 0))
 
     def sampled_box(self, intervals_u: Indices, intervals_v: Indices) -> Array:
-        """Return the box of ``samples``, few of which are computed; see ``window_boxes.sampled_box``.
+        """Return the box of ``samples``, few of which are computed; see ``sampled_box.sampled_box``.
 
         Returns
         -------
         (3, 2) float64, read-only, columns min and max
         """
-        return read_only(window_boxes.sampled_box(self.coefficients, intervals_u, intervals_v))
+        return read_only(sampled_box.sampled_box(self.coefficients, intervals_u, intervals_v))
 
     def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S on a grid; on a joint that of the window which begins there.

@@ -1,33 +1,31 @@
-"""The box of a patch's evenly spaced samples: branch and bound over the grid, of which few samples are ever computed.
+"""The box of evenly spaced samples of patches: branch and bound over the grid, of which few samples are ever computed.
 
 The extremes of all samples are wanted, not those of the surface, and on an oblique ridge the largest sample may lie far
 from the crest's highest place: Newton's method from a critical point would find the wrong one. So the grid is cut into
 cells that begin and end at samples. The Bernstein coefficients of the patch over a cell bound what it can hold, their
-corners are samples it does hold, and a cell that cannot hold more than is known is dropped.
+corners are samples it does hold, and a cell that cannot hold more than is known is dropped: of a net of many windows,
+nearly all of these at once.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
-from qovr_core.arrays import Array, Indices, read_only
-from qovr_core.geometry import bernstein, grid
+from qovr_core.arrays import Array, Indices
+from qovr_core.geometry import bernstein, grid, locate
+from qovr_core.geometry.sample_cells import PARTS, Cells, cells_of, restrictions_to_parts
 
 _FULL_BELOW = 400 * 400
 """Samples of a grid; of fewer, all are computed in less time than the cells take."""
 
-_PARTS = 4
-"""Cells along each direction to begin with, and parts of a cell that is cut."""
-
-_LARGEST_LEAF = 16
-"""Intervals of a cell along one direction up to which its samples cost no more than to cut it further."""
-
-SLACK = 4 * float(np.finfo(np.float64).eps)
+_SLACK = 4 * float(np.finfo(np.float64).eps)
 """A cell is dropped that exceeds a sample that is known by no more than this part of the largest coefficient: what
 the restriction to a cell rounds."""
+
+_CUT_AT_ONCE = 64
+"""Functions over whole windows that are cut into cells together, so that what they find may rule the others out."""
 
 _SAMPLED_AT_ONCE = 128
 """Cells whose samples are computed together, the most promising first: what they hold may rule the others out."""
@@ -37,26 +35,9 @@ _BLOCK_MULTIPLICATIONS = 2**17
 
 
 @dataclass(frozen=True, eq=False)
-class _Cells:
-    """Cells of equal size along one direction, which overlap where they do not divide the samples.
-
-    Parameters
-    ----------
-    restrictions : (k, a, a), the matrices that restrict Bernstein coefficients to each cell
-    starts : (k,), the first sample of each
-    leaf : intervals between samples of the smallest cells
-    cuts : how often a cell is cut until it is one of those
-    """
-
-    restrictions: Array
-    starts: Indices
-    leaf: int
-    cuts: int
-
-
-@dataclass(frozen=True, eq=False)
 class _Pieces:
-    """Functions over cells: coefficients (k, a, b), which function (k,), and the cell's first sample (k, 2)."""
+    """Functions over cells: coefficients (k, a, b), which function (k,), and where the cell begins (k, 3): in which
+    window, and at which of its samples."""
 
     coefficients: Array
     owner: Indices
@@ -68,107 +49,124 @@ class _Pieces:
 
 @dataclass(frozen=True, eq=False)
 class _Best:
-    """The largest sample found of each function, (f,), where, (f, 2), and what a larger one must exceed it by, (f,)."""
+    """The largest sample found of each function, (f,), where, (f, 3), and what a larger one must exceed it by, (f,)."""
 
     values: Array
     places: Indices
     slack: Array
 
     def offer(self, values: Array, owner: Indices, starts: Indices, steps: Indices) -> None:
-        """Take larger ones: values (k, p, q) at samples ``starts`` (k, 2) + multiples of ``steps`` (2,)."""
+        """Take larger ones: values (k, p, q) at ``starts`` (k, 3) + multiples of ``steps``, (2,) or (k, 2)."""
         largest, known = values.max(axis=(1, 2)), self.values.copy()
         np.maximum.at(self.values, owner, largest)
         for function in np.flatnonzero(self.values > known):
             row = np.flatnonzero((owner == function) & (largest == self.values[function]))[0]
             at = np.unravel_index(values[row].argmax(), values.shape[1:])
-            self.places[function] = starts[row] + np.array(at) * steps
+            self.places[function] = starts[row]
+            self.places[function, 1:] += np.array(at) * (steps[row] if steps.ndim > 1 else steps)
 
     def exceeded_by(self, bounds: Array, owner: Indices) -> Indices:
         """Return the rows of bounds (k,) above what is known."""
         return np.flatnonzero(bounds > (self.values + self.slack)[owner])
 
 
-def sampled_box(coefficients: Array, n: int, m: int) -> Array:
-    """Return the box of n x m evenly spaced samples of a Bernstein patch, both ends included.
+def sampled_box(coefficients: Array, intervals_u: Indices, intervals_v: Indices) -> Array:
+    """Return the box of the evenly spaced samples of Bernstein patches, both ends of each included.
 
     Every bound is the coordinate of a sample, within 8 eps of the axis's largest coefficient of the largest (smallest).
 
     Parameters
     ----------
-    coefficients : (a, b, d), finite
-    n, m : samples along u and along v, each 2 or more
+    coefficients : (m, n, a, b, d), finite
+    intervals_u, intervals_v : (n,) and (m,) intervals between the samples of each, 1 or more
 
     Returns
     -------
     (d, 2) float64, columns min and max
     """
-    degrees = [count - 1 for count in coefficients.shape[:2]]
-    if n * m < _FULL_BELOW:
-        basis_u, basis_v = (
-            bernstein.basis(degree, np.linspace(0.0, 1.0, count)) for degree, count in zip(degrees, (n, m), strict=True)
+    *windows, a, b, d = coefficients.shape
+    if (intervals_u.sum() + 1) * (intervals_v.sum() + 1) < _FULL_BELOW:
+        along_u, along_v = (
+            locate.even(intervals).by_window(size - 1, 0)[0] for intervals, size in ((intervals_u, a), (intervals_v, b))
         )
-        return grid.box(coefficients, basis_u, basis_v)
-    at = _places_of_extremes(coefficients, n, m) / np.array([n - 1, m - 1])
-    basis_u, basis_v = (bernstein.basis(degree, at[:, k]) for k, degree in enumerate(degrees))
-    values = grid.evaluate_scattered(coefficients, basis_u, basis_v).reshape(2, -1, coefficients.shape[2])
-    return np.diagonal(values, axis1=1, axis2=2).T.copy()
+        return grid.box(coefficients, along_u, along_v)
+    best = _extremes(coefficients.reshape(-1, a, b, d), _sample_counts(intervals_u, intervals_v))
+    window, places = best.places[:, 0], best.places[:, 1:]
+    at = places / _sample_counts(intervals_u, intervals_v)[window]
+    basis_u, basis_v = (bernstein.basis(size - 1, at[:, k]) for k, size in enumerate((a, b)))
+    values = grid.evaluate_scattered_pieces(coefficients, np.divmod(window, windows[1]), basis_u, basis_v)
+    return np.diagonal(values.reshape(2, d, d), axis1=1, axis2=2).T.copy()
+
+
+def _sample_counts(intervals_u: Indices, intervals_v: Indices) -> Indices:
+    """Return the intervals of every window along u and v, (m n, 2)."""
+    along_v, along_u = np.meshgrid(intervals_v, intervals_u, indexing="ij")
+    return np.stack([along_u.ravel(), along_v.ravel()], axis=1)
 
 
 @np.errstate(under="ignore")  # what underflows is nothing
-def _places_of_extremes(coefficients: Array, n: int, m: int) -> Indices:
-    """Return where the least sample of every axis stands, then where the largest ones do, (2 d, 2)."""
-    axes = np.moveaxis(coefficients, -1, 0)
-    functions = np.concatenate([-axes, axes])
-    count, largest = len(functions), np.abs(functions).max(axis=(1, 2))
-    best = _Best(np.full(count, -np.inf), np.zeros((count, 2), dtype=np.intp), SLACK * largest)
-    along = [_cells(size - 1, samples - 1) for size, samples in zip(coefficients.shape[:2], (n, m), strict=True)]
-    pieces, bounds = _first_pieces(functions, along, best)
+def _extremes(windows: Array, counts: Indices) -> _Best:
+    """Return the least sample of every axis, then the largest ones, of windows (w, a, b, d) with ``counts`` (w, 2)."""
+    (w, a, b, d), flat = windows.shape, windows.reshape(len(windows), -1, windows.shape[3])
+    low, high = flat.min(axis=1), flat.max(axis=1)
+    bounds = np.concatenate([-low, high], axis=1).T.ravel()
+    corners = windows[:, :: a - 1, :: b - 1].reshape(w, 4, d)
+    corners = np.concatenate([-corners, corners], axis=2).transpose(2, 0, 1).reshape(-1, 2, 2)
+    largest = np.maximum(np.abs(low), np.abs(high)).max(axis=0)
+    best = _Best(np.full(2 * d, -np.inf), np.zeros((2 * d, 3), dtype=np.intp), _SLACK * np.tile(largest, 2))
+    owner, window = np.divmod(np.arange(2 * d * w), w)
+    starts = np.stack([window, 0 * window, 0 * window], axis=1)
+    best.offer(corners, owner, starts, counts[window])
+    rows = best.exceeded_by(bounds, owner)
+    rows = rows[np.argsort(best.values[owner[rows]] - bounds[rows], kind="stable")]
+    signs = np.where(owner[rows] < d, -1.0, 1.0)[:, None, None]
+    functions = signs * windows[window[rows], :, :, owner[rows] % d]
+    pieces, intervals = _Pieces(functions, owner[rows], starts[rows]), counts[window[rows]]
+    while len(rows):
+        is_alike = (intervals == intervals[0]).all(axis=1)
+        alike, others = np.flatnonzero(is_alike), np.flatnonzero(~is_alike)
+        _search(pieces.at(alike), bounds[rows[alike]], intervals[0].tolist(), best)
+        rows, pieces, intervals = rows[others], pieces.at(others), intervals[others]
+    return best
+
+
+def _search(pieces: _Pieces, bounds: Array, intervals: list[int], best: _Best) -> None:
+    """Look for larger samples in functions over whole windows, (k,) bounds, with so many intervals along u and v."""
+    along = [cells_of(size - 1, count) for size, count in zip(pieces.coefficients.shape[1:], intervals, strict=True)]
+    pieces, bounds = _first_cells(pieces, bounds, along, best)
     cuts = [cells.cuts for cells in along]
     while max(cuts) > 0 and len(bounds):
         is_cut = [cut == max(cuts) for cut in cuts]
         cuts = [cut - is_it for cut, is_it in zip(cuts, is_cut, strict=True)]
-        steps = np.array([cells.leaf * _PARTS**cut for cells, cut in zip(along, cuts, strict=True)])
+        steps = np.array([cells.leaf * PARTS**cut for cells, cut in zip(along, cuts, strict=True)])
         pieces, bounds = _cut(pieces, is_cut, steps, best)
     _sample(pieces, bounds, [cells.leaf for cells in along], best)
-    return best.places
 
 
-@lru_cache(maxsize=64)
-def _cells(degree: int, intervals: int) -> _Cells:
-    """Return the cells with which to begin along one direction."""
-    cuts = 0
-    while -(-intervals // _PARTS ** (cuts + 1)) > _LARGEST_LEAF:
-        cuts += 1
-    leaf = -(-intervals // _PARTS ** (cuts + 1))
-    size = leaf * _PARTS**cuts
-    starts = np.linspace(0, intervals - size, -(-intervals // size)).round().astype(np.intp)
-    ends = [(start / intervals, (start + size) / intervals) for start in starts.tolist()]
-    return _Cells(np.stack([bernstein.restriction(degree, *end) for end in ends]), starts, leaf, cuts)
+def _first_cells(whole: _Pieces, limits: Array, along: list[Cells], best: _Best) -> tuple[_Pieces, Array]:
+    """Return functions over the first cells that can hold more than is known, and their bounds.
 
-
-@lru_cache(maxsize=8)
-def _parts(degree: int, count: int) -> Array:
-    """Return the matrix (count (degree + 1), degree + 1) that restricts to each of ``count`` equal parts of [0, 1]."""
-    ends = [(k / count, (k + 1) / count) for k in range(count)]
-    return read_only(np.concatenate([bernstein.restriction(degree, *end) for end in ends]))
-
-
-def _first_pieces(functions: Array, along: list[_Cells], best: _Best) -> tuple[_Pieces, Array]:
-    """Return functions (f, a, b) over the first cells that can hold more than their corners, and their bounds."""
+    The functions come with their bounds over whole windows, the most promising first.
+    """
+    found: list[tuple[_Pieces, Array]] = []
     in_u, in_v = (cells.restrictions for cells in along)
-    coefficients = in_u[:, None, None] @ functions @ in_v.transpose(0, 2, 1)[:, None]
-    starts = np.stack(np.meshgrid(*(cells.starts for cells in along), indexing="ij"), axis=-1)
-    f, (k_u, k_v) = len(functions), coefficients.shape[:2]
-    pieces = _Pieces(
-        coefficients.reshape(-1, *functions.shape[1:]),
-        np.tile(np.arange(f, dtype=np.intp), k_u * k_v),
-        np.repeat(starts.reshape(-1, 2), f, axis=0),
-    )
-    steps = np.array([cells.leaf * _PARTS**cells.cuts for cells in along])
-    best.offer(_corners(pieces.coefficients), pieces.owner, pieces.starts, steps)
-    bounds = pieces.coefficients.max(axis=(1, 2))
-    rows = best.exceeded_by(bounds, pieces.owner)
-    return pieces.at(rows), bounds[rows]
+    steps = np.array([cells.leaf * PARTS**cells.cuts for cells in along])
+    starts = np.stack(np.meshgrid(*(cells.starts for cells in along), indexing="ij"), axis=-1).reshape(-1, 1, 2)
+    for k in range(0, len(whole.owner), _CUT_AT_ONCE):
+        chunk = slice(k, k + _CUT_AT_ONCE)
+        some = whole.at(k + best.exceeded_by(limits[chunk], whole.owner[chunk]))
+        cells = in_u[:, None, None] @ some.coefficients @ in_v.transpose(0, 2, 1)[:, None]
+        at = np.repeat(some.starts[None], len(starts), axis=0)
+        at[..., 1:] += starts
+        owner = np.repeat(some.owner[None], len(starts), axis=0).ravel()
+        pieces = _Pieces(cells.reshape(-1, *some.coefficients.shape[1:]), owner, at.reshape(-1, 3))
+        best.offer(_corners(pieces.coefficients), owner, pieces.starts, steps)
+        bounds = pieces.coefficients.max(axis=(1, 2))
+        rows = best.exceeded_by(bounds, owner)
+        found.append((pieces.at(rows), bounds[rows]))
+    parts, bounds_found = zip(*found, strict=True)
+    joined = (np.concatenate([getattr(part, name) for part in parts]) for name in ("coefficients", "owner", "starts"))
+    return _Pieces(*joined), np.concatenate(bounds_found)
 
 
 def _corners(coefficients: Array) -> Array:
@@ -179,12 +177,13 @@ def _corners(coefficients: Array) -> Array:
 def _cut(pieces: _Pieces, is_cut: list[bool], steps: Indices, best: _Best) -> tuple[_Pieces, Array]:
     """Cut pieces along u, along v, or both; return the parts that can hold more than is known, and their bounds."""
     k, a, b = pieces.coefficients.shape
-    p, q = (_PARTS if it else 1 for it in is_cut)
-    parts = _tensor_product(_parts(a - 1, p), pieces.coefficients, _parts(b - 1, q))
+    p, q = (PARTS if it else 1 for it in is_cut)
+    parts = _tensor_product(restrictions_to_parts(a - 1, p), pieces.coefficients, restrictions_to_parts(b - 1, q))
     parts = parts.reshape(k, p, a, q, b).transpose(0, 1, 3, 2, 4).reshape(-1, a, b)
     offsets = np.stack(np.meshgrid(np.arange(p), np.arange(q), indexing="ij"), axis=-1) * steps
     owner = np.repeat(pieces.owner, p * q)
-    starts = (pieces.starts[:, None] + offsets.reshape(-1, 2)).reshape(-1, 2)
+    starts = np.repeat(pieces.starts, p * q, axis=0)
+    starts.reshape(k, p * q, 3)[..., 1:] += offsets.reshape(-1, 2)
     best.offer(_corners(parts), owner, starts, steps)
     bounds = parts.max(axis=(1, 2))
     rows = best.exceeded_by(bounds, owner)

@@ -59,8 +59,8 @@ def test_box_of_all(measure, size):
     patch = build_patch(document(size))
 
     def box():
-        basis = bernstein.basis(6, parameters(size))
-        return grid.box(patch.coefficients[0, 0], basis, basis)
+        basis = grid.PieceBasis(bernstein.basis(6, parameters(size)), (0, size))
+        return grid.box(patch.coefficients, basis, basis)
 
     measure("box of all", size, box, rounds=5)
 
