@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.construction import active_curves
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.evaluation import Evaluation
@@ -13,13 +14,24 @@ from qovr_core.formulations import FORMULATIONS
 from qovr_core.geometry.combs import ISOLINES, comb_changes, isolines
 from qovr_core.geometry.folding import folding_parts, folds
 from qovr_core.geometry.knots import Direction
+from qovr_core.joints import Joint
+
+MOST_NAMED = 10
+"""Curves of a kind that the text names, all there are in a net of one window; a large net has thousands."""
 
 
-def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
-    """Return boxes, matrix, degree and folding curves of a configured surface, ready for JSON."""
+def surface_facts(evaluation: Evaluation, most: int | None = None) -> dict[str, Any]:
+    """Return windows, boxes, matrix, degree and folding curves of a configured surface, ready for JSON.
+
+    Parameters
+    ----------
+    most : of how many folding curves it is said where they run back, which is exact and takes time; None for all
+    """
     document = evaluation.document
+    folding = _folding(document)
     return {
         "formulation": str(document.formulation),
+        **net_facts(evaluation),
         "samples": list(document.samples),
         "degree": list(evaluation.patch.degree),
         "control_box": evaluation.control_box.tolist(),
@@ -27,14 +39,28 @@ def surface_facts(evaluation: Evaluation) -> dict[str, Any]:
         "exact_raw_box": evaluation.patch.bounding_box().tolist(),
         "matrix": evaluation.matrix.tolist(),
         "flat_axes": list(evaluation.flat_axes),
-        "folding": folding_curves(document),
+        "folding": [where for place in folding[:most] if (where := _where_it_folds(document, place))["backward"]],
+        "folding_count": len(folding),
         "comb_changes": fairness_facts(evaluation),
         "without_effect": [
             f"{direction}[{curve}]"
             for direction in Direction
-            for curve in range(len(knots_of(document, direction)))
-            if not document.formulation.is_active(direction, curve)
+            for curve in sorted({*range(len(knots_of(document, direction)))} - {*active_curves(document, direction)})
         ],
+    }
+
+
+def net_facts(evaluation: Evaluation) -> dict[str, Any]:
+    """Return what a document's net is, ready for JSON: windows (m, n), and along u and v their joints and lengths."""
+    document = evaluation.document
+    return {
+        "windows": list(document.windows),
+        "joints": {way.parameter: [str(joint) for joint in document.joints.along(way)] for way in Direction},
+        "lengths": {
+            way.parameter: np.diff(breakpoints).tolist()
+            for way, breakpoints in zip(Direction, evaluation.patch.breakpoints, strict=True)
+        },
+        "closed": list(document.closed),
     }
 
 
@@ -53,14 +79,21 @@ def fairness_facts(evaluation: Evaluation) -> dict[str, Any]:
     }
 
 
-def folding_curves(document: Document) -> list[dict[str, Any]]:
-    """Return the curves that fold back on evenly spaced points, with the parameters between which they run back."""
+def _folding(document: Document) -> list[tuple[Direction, int, int]]:
+    """Return the curves that fold back on evenly spaced points, each with the window in which it does."""
     return [
-        {"curve": f"{direction}[{curve}]", "backward": [list(ends) for ends in parts]}
+        (direction, curve, window)
         for direction in Direction
         for curve, window in np.argwhere(folds(knots_of(document, direction).array)).tolist()
-        if (parts := folding_parts(knots_of(document, direction)[curve, window]))
     ]
+
+
+def _where_it_folds(document: Document, place: tuple[Direction, int, int]) -> dict[str, Any]:
+    """Return a folding curve's name, in a net with its window, and between which parameters there it runs back."""
+    direction, curve, window = place
+    knots = knots_of(document, direction)
+    name = f"{direction}[{curve}]" + (f"[{window}]" if knots.windows > 1 else "")
+    return {"curve": name, "backward": [list(ends) for ends in folding_parts(knots[curve, window])]}
 
 
 def facts_text(facts: dict[str, Any]) -> str:
@@ -70,6 +103,7 @@ def facts_text(facts: dict[str, Any]) -> str:
     lines = [
         f"formulation      {facts['formulation']}",
         f"samples          {n} x {m}",
+        *_net_lines(facts),
         f"degree           {degree_u} in u, {degree_v} in v",
         *_box_lines("control points", facts["control_box"]),
         *_box_lines("raw, sampled", facts["raw_box"]),
@@ -87,13 +121,45 @@ def facts_text(facts: dict[str, Any]) -> str:
     if facts["without_effect"]:
         formulation = FORMULATIONS[facts["formulation"]]
         names = [name for direction in Direction for name in formulation.active_names(direction)]
+        without_effect = _named(facts["without_effect"], len(facts["without_effect"]))
         entering = f"{', '.join(names)} {'enters' if len(names) == 1 else 'enter'}"
-        lines.append(
-            f"without effect   {', '.join(facts['without_effect'])}: only {entering} the {formulation} formulation"
-        )
+        lines.append(f"without effect   {without_effect}: only {entering} the {formulation} formulation")
     folding = [_folding_text(**curve) for curve in facts["folding"]]
-    lines.append(f"folding back     {', '.join(folding) or 'none'}")
+    lines.append(f"folding back     {_named(folding, facts['folding_count']) or 'none'}")
     return "\n".join(lines)
+
+
+def _net_lines(facts: dict[str, Any]) -> list[str]:
+    """Return what a net of more than one window has besides."""
+    if facts["windows"] == [1, 1]:
+        return []
+    joints, lengths = (
+        "; ".join(f"{name}: {say(facts[kind][name])}" for name in "uv")
+        for kind, say in (("joints", _joints_text), ("lengths", _lengths_text))
+    )
+    return [
+        "windows          {} x {}, m along v and n along u".format(*facts["windows"]),
+        f"joints           {joints}",
+        f"lengths          {lengths}",
+        *([f"closed along     {', '.join(facts['closed'])}"] if facts["closed"] else []),
+    ]
+
+
+def _joints_text(joints: list[str]) -> str:
+    counts = ((kind, joints.count(kind)) for kind in Joint)
+    return ", ".join(f"{count} {kind}" for kind, count in counts if count) or "none"
+
+
+def _lengths_text(lengths: list[float]) -> str:
+    if min(lengths) == max(lengths):
+        return f"all {lengths[0]:.6g}"
+    return f"{min(lengths):.6g} to {max(lengths):.6g}"
+
+
+def _named(names: list[str], count: int) -> str:
+    """Return the first of so many names for a line of the text, and how many more there are."""
+    more = count - MOST_NAMED
+    return ", ".join(names[:MOST_NAMED]) + (f" and {more} more" if more > 0 else "")
 
 
 def _folding_text(curve: str, backward: list[list[float]]) -> str:

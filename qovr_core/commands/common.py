@@ -9,7 +9,9 @@ import re
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 
+from qovr_core.document import Window
 from qovr_core.files.progress import Progress
 
 DONE, ANSWER_IS_NO, WRONG = 0, 1, 2
@@ -41,6 +43,24 @@ def words(text: str) -> list[str]:
     if not found:
         raise argparse.ArgumentTypeError(f"'{text}' holds no word; expected words with commas between them")
     return list(dict.fromkeys(found))
+
+
+def add_window(command: Any, use: str, first: Window | None = None) -> None:
+    """Add ``--window``, which names one window of a net, to a command; ``use`` says what for."""
+    command.add_argument(
+        "--window",
+        type=_window,
+        metavar="A,B",
+        default=first,
+        help=f"{use}; A counts along v and B along u, from 0",
+    )
+
+
+def _window(text: str) -> Window:
+    match = re.fullmatch(r"([0-9]{1,3})\s*,\s*([0-9]{1,3})", text.strip())
+    if not match:
+        raise argparse.ArgumentTypeError(f"'{text}' is no window; expected A,B, each counted from 0, as 1,0")
+    return int(match[1]), int(match[2])
 
 
 def path(text: str) -> Path:

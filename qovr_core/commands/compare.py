@@ -8,7 +8,8 @@ from itertools import count
 from typing import Any
 
 from qovr_core.checks import LARGEST_MAGNITUDE
-from qovr_core.commands.common import DONE, SOURCE_HELP, number, print_json, progress_bar
+from qovr_core.commands.common import DONE, SOURCE_HELP, add_window, number, print_json, progress_bar
+from qovr_core.edits import extract_window
 from qovr_core.files import read_source
 from qovr_core.laboratory.comparison import DEFAULT_POINT, DEFAULT_WEIGHT, compare, compared_names
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
@@ -34,19 +35,24 @@ def add_command(commands: Any) -> None:
         default=DEFAULT_WEIGHT,
         help=f"its weight in the NURBS surface; all others have 1 (default: {DEFAULT_WEIGHT:g})",
     )
+    add_window(command, "the window of a larger net that is measured (default: 0,0)", (0, 0))
     command.add_argument("--json", action="store_true")
     command.set_defaults(command=_compare)
 
 
 def _compare(arguments: argparse.Namespace) -> int:
-    document, names, known = read_source(arguments.source), compared_names(), count(1)
+    net, names, known = read_source(arguments.source), compared_names(), count(1)
+    document = extract_window(net, arguments.window)
     with progress_bar("compare") as progress:
         comparison = compare(
             document, arguments.point, arguments.weight, lambda _name, _measures: progress(next(known) / len(names))
         )
+    is_part = net.windows != (1, 1)
     if arguments.json:
-        print_json(comparison_facts(comparison))
+        print_json({**({"window": list(arguments.window)} if is_part else {}), **comparison_facts(comparison)})
     else:
+        if is_part:
+            print("window {},{} of a net of {} x {} windows".format(*arguments.window, *net.windows))
         print(comparison_text(comparison))
     return DONE
 

@@ -10,8 +10,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from qovr_core.commands.common import DONE, SOURCE_HELP, number, path, progress_bar
+from qovr_core.commands.common import DONE, SOURCE_HELP, add_window, number, path, progress_bar
 from qovr_core.document import Document
+from qovr_core.edits import extract_window
 from qovr_core.errors import DocumentError, QovrError
 from qovr_core.files import FORMATS, ExportOptions, export, format_for, read_source
 from qovr_core.files.atomic import check_target
@@ -26,6 +27,7 @@ def add_command(commands: Any) -> None:
     command.add_argument("outs", metavar="OUT", nargs="+", type=path, help=f"ends in {', '.join(FORMATS)}")
     command.add_argument("--formulation", choices=list(FORMULATIONS))
     command.add_argument("--samples", type=_samples, metavar="N|NxM", help="samples along u and v, 2 to 4096")
+    add_window(command, "write one window of a larger net as a document of its own")
     command.add_argument(
         "--layer",
         choices=[str(layer) for layer in Layer],
@@ -89,7 +91,9 @@ def _suffixes(concerned: str) -> str:
 
 
 def _changed(document: Document, arguments: argparse.Namespace) -> Document:
-    """Return the document with what the call's options say."""
+    """Return the document with what the call's options say; samples are those of what is written."""
+    if arguments.window is not None:
+        document = extract_window(document, arguments.window)
     if arguments.formulation is not None:
         document = replace(document, formulation=FORMULATIONS[arguments.formulation])
     if arguments.samples is not None:

@@ -48,12 +48,18 @@ Cells = list[tuple[int, Any]]
 
 
 def check_workbook_size(document: Document, path: Path) -> None:
-    """Refuse, before any work, more points than a sheet has rows.
+    """Refuse, before any work, a net that the layout has no place for, and more points than a sheet has rows.
 
     Raises
     ------
-    FileError : a sheet cannot hold the samples
+    FileError : the net has more windows than one, or a sheet cannot hold the samples
     """
+    if document.windows != (1, 1):
+        windows_v, windows_u = document.windows
+        raise FileError(
+            f"{path}: the published layout holds a net of 5 x 5 points, and this one has {windows_v} x {windows_u} "
+            f"windows; expected one of them, --window 0,0 to {windows_v - 1},{windows_u - 1}"
+        )
     n, m = document.samples
     if n * m > layout.MOST_POINTS:
         raise FileError(

@@ -5,8 +5,9 @@ The tooth of a comb at u stands on C(u) and is the curvature there, against the 
 $$\kappa N = \frac{C'' (C' \cdot C') - C' (C' \cdot C'')}{(C' \cdot C')^2}$$
 
 The **sum of comb changes** of a curve is the sum of |k(u_n+1) - k(u_n)| over ever more teeth, which is the total
-variation of its curvature k over [0, 1]. It is counted in 1 / length; 0 belongs to lines and circles, and of two curves
-through the same points the one with less of it is the fairer.
+variation of its curvature k over [0, 1]; of a curve in pieces, the jumps of k between them included. It is counted in
+1 / length; 0 belongs to lines and circles, and of two curves through the same points the one with less of it is the
+fairer.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, Flags, Indices, read_only
 from qovr_core.geometry import bernstein
+from qovr_core.geometry.locate import located
 from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.rounding import ROUNDING, own_unit
 from qovr_core.geometry.weights import CURVE_DEGREE
@@ -68,13 +70,23 @@ def comb_changes(curves: npt.ArrayLike) -> Array:
 
     Parameters
     ----------
-    curves : (k, d + 1, 3) Bernstein coefficients, d at least 3
+    curves : (k, d + 1, 3) Bernstein coefficients, d at least 3; or those of the pieces of each, (k, n, d + 1, 3)
 
     Returns
     -------
     (k,) float64, in 1 / length; inf where a curve stops, as in a cusp, or is a single point
     """
     given = np.asarray(curves, dtype=np.float64)
+    pieces = given[:, None] if given.ndim == 3 else given
+    changes, ends = _changes_and_ends(pieces.reshape(-1, *pieces.shape[2:]))
+    with np.errstate(invalid="ignore"):
+        jumps = np.abs(np.diff(ends.reshape(len(pieces), -1)[:, 1:-1])[:, ::2])
+        total = changes.reshape(pieces.shape[:2]).sum(axis=1) + jumps.sum(axis=1)
+    return read_only(np.where(np.isfinite(total), total, np.inf))
+
+
+def _changes_and_ends(given: Array) -> tuple[Array, Array]:
+    """Return the sums of comb changes of curves (k, d + 1, 3), and their curvature at both ends, (k, 2)."""
     unit = own_unit(np.abs(given - given[:, :1]).max(axis=(1, 2)))
     derivatives = _derivatives(given / unit[:, None, None])
     bases = [bernstein.basis(each.shape[-2] - 1, _LOOKED_AT) for each in derivatives]
@@ -92,15 +104,24 @@ def comb_changes(curves: npt.ArrayLike) -> Array:
             np.abs(np.diff(np.insert(along, step[curve == k] + 1, at_extrema[curve == k]))).sum()
             for k, along in enumerate(at_steps)
         ]
-        return read_only(np.where(np.isfinite(changes), changes / unit, np.inf))
+        return np.asarray(changes) / unit, at_steps[:, [0, -1]] / unit[:, None]
 
 
 def isolines(patch: Patch, count: int = ISOLINES) -> tuple[Array, Array]:
-    """Return isolines of a patch as Bernstein coefficients (count, 7, 3): those along u, then those along v."""
-    basis = bernstein.basis(CURVE_DEGREE, np.linspace(0.0, 1.0, count))
+    """Return isolines of a patch, evenly spaced over its whole domain, as Bernstein coefficients of their pieces.
+
+    Returns
+    -------
+    (count, n, 7, 3) along u and (count, m, 7, 3) along v, for m x n windows
+    """
+    at_u, at_v = (
+        located(np.linspace(*ends, count), breakpoints)
+        for ends, breakpoints in zip(patch.domain, patch.breakpoints, strict=True)
+    )
+    basis_u, basis_v = (bernstein.basis(CURVE_DEGREE, at.local) for at in (at_u, at_v))
     return (
-        read_only(np.einsum("nb,abk->nak", basis, patch.coefficients[0, 0])),
-        read_only(np.einsum("na,abk->nbk", basis, patch.coefficients[0, 0])),
+        read_only(np.einsum("kb,knabd->knad", basis_v, patch.coefficients[at_v.window])),
+        read_only(np.einsum("ka,mkabd->kmbd", basis_u, patch.coefficients[:, at_u.window])),
     )
 
 

@@ -10,6 +10,7 @@ from qovr_core.geometry.bernstein import basis
 from qovr_core.geometry.combs import comb, comb_changes, curvature_vectors, isolines
 from qovr_core.report import fairness_facts
 from support.documents import random_document, seeds
+from support.nets import random_net_document
 
 PARABOLA = np.array([[-1, 1, 0], [-1 / 3, -1 / 3, 0], [1 / 3, -1 / 3, 0], [1, 1, 0.0]])
 """y = x^2 from -1 to 1, elevated to degree 3."""
@@ -60,10 +61,31 @@ def test_isolines_are_those_of_the_surface_and_are_summed():
     patch, u = evaluation.patch, np.linspace(0, 1, 11)
     along_u, along_v = isolines(patch, 5)
     few = np.linspace(0, 1, 5)
-    assert basis(6, u) @ along_u == pytest.approx(patch.points(u, few).transpose(1, 0, 2), abs=1e-12)
-    assert basis(6, u) @ along_v == pytest.approx(patch.points(few, u), abs=1e-12)
+    assert basis(6, u) @ along_u[:, 0] == pytest.approx(patch.points(u, few).transpose(1, 0, 2), abs=1e-12)
+    assert basis(6, u) @ along_v[:, 0] == pytest.approx(patch.points(few, u), abs=1e-12)
     facts = fairness_facts(evaluation)
     lines_u, lines_v = isolines(patch, facts["isolines"])
     assert (facts["layer"], facts["isolines"]) == ("raw", 9)
-    assert facts["u"] == pytest.approx(sum(comb_changes([line])[0] for line in lines_u))
-    assert facts["v"] == pytest.approx(sum(comb_changes([line])[0] for line in lines_v))
+    assert facts["u"] == pytest.approx(sum(comb_changes([line])[0] for line in lines_u[:, 0]))
+    assert facts["v"] == pytest.approx(sum(comb_changes([line])[0] for line in lines_v[:, 0]))
+
+
+@given(st.integers(0, 1000))
+def test_a_curve_in_pieces_changes_as_its_teeth_do(seed):
+    """Against curvatures at many parameters of the whole, on both sides of every joint."""
+    patch = Evaluation(random_net_document(seed, (2, 3), smooth=0.5, margin=0.35, flatness=0.5)).patch
+    lines, _ = isolines(patch, 3)
+    u = np.linspace(0, 1, 4001)
+    for line in lines:
+        first, second = (basis(6 - k, u) @ np.diff(line, k, axis=-2) * (1, 6, 30)[k] for k in (1, 2))
+        teeth = np.linalg.norm(curvature_vectors(first, second), axis=-1).ravel()
+        assert comb_changes([line])[0] == pytest.approx(np.abs(np.diff(teeth)).sum(), rel=1e-3)
+
+
+def test_isolines_of_a_net_run_through_all_its_windows():
+    patch = Evaluation(random_net_document(5, (2, 3))).patch
+    few_u, few_v = (np.linspace(*ends, 5) for ends in patch.domain)
+    along_u, along_v = isolines(patch, 5)
+    starts_u, starts_v = (ends[:-1] for ends in patch.breakpoints)
+    assert along_u[:, :, 0] == pytest.approx(patch.points(starts_u, few_v).transpose(1, 0, 2), abs=1e-12)
+    assert along_v[:, :, 0] == pytest.approx(patch.points(few_u, starts_v), abs=1e-12)
