@@ -21,7 +21,7 @@ from qovr_core.joints import Joints, checked_closed, checked_joints, smooth_wher
 from qovr_core.knot_input import KnotsLike, checked_knots, entries
 
 MOST_POINTS = 203
-"""Rows, and columns, of the largest net: 101 windows each way."""
+"""Rows, and columns, of the largest net: 100 windows each way."""
 
 NetIndex = tuple[int, int]
 """Row i and column j of a control point."""

@@ -30,6 +30,7 @@ FLOORS = {
         "edits presets",
         "shapes symmetry",
         "construction",
+        "structure",
         "evaluation",
         "files laboratory report",
         "reproduce",

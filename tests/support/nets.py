@@ -4,6 +4,7 @@ import numpy as np
 
 from qovr_core import Document, Formulation
 from qovr_core.geometry.knots import KNOT_NAMES
+from qovr_core.geometry.nodes import knots_of_nodes
 
 R, S, U, T = range(len(KNOT_NAMES))
 
@@ -47,3 +48,15 @@ def closed_net(seed, windows, along):
     if len(along) == 2:
         net[-3:, -3:] = net[:3, :3]
     return Document(net, rows, columns, document.formulation, document.samples, closed=along)
+
+
+def node_net(seed, windows):
+    """Return a document whose points are quadratic in random nodes, and whose knots are those of the nodes."""
+    rng = np.random.default_rng(seed)
+    m, n = windows
+    y, x = (np.cumsum(rng.uniform(0.3, 1.0, 2 * count + 3)) for count in windows)
+    powers = [np.stack([each**0, each, each**2], axis=-1) / np.abs(each).max() ** [0, 1, 2] for each in (y, x)]
+    net = np.einsum("ia,jb,abd->ijd", *powers, rng.uniform(-1, 1, (3, 3, 3)))
+    rows = np.broadcast_to(knots_of_nodes(x), (2 * m + 3, n, 4))
+    columns = np.broadcast_to(knots_of_nodes(y), (2 * n + 3, m, 4))
+    return Document(net, rows, columns, Formulation.INTERPOLATING, (61, 53))
