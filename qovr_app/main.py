@@ -56,7 +56,7 @@ def create_window(path: str | None = None) -> MainWindow:
 
     Parameters
     ----------
-    path : a ``.qovr`` file, a workbook in the published layout, or ``paper:NAME``; None for the paper's example,
+    path : a ``.qovr`` file, a workbook in the published layout, ``paper:NAME`` or ``shape:NAME``; None for the paper's example,
         which is also shown where the source cannot be read: then the message line says why. What is large comes when
         the window is shown.
     """
@@ -135,8 +135,8 @@ def _check_call(source: str) -> None:
     ------
     SourceError : the word names no file, and nothing that could be one
     """
-    from qovr_core.files.sources import PRESET_PREFIX, read_source, source_suffixes
+    from qovr_core.files.sources import MADE_HERE, read_source, source_suffixes
 
-    is_meant = source.startswith(PRESET_PREFIX) or Path(source).suffix.lower() in source_suffixes()
+    is_meant = source.startswith(MADE_HERE) or Path(source).suffix.lower() in source_suffixes()
     if not is_meant and not os.path.lexists(source):
         read_source(source)

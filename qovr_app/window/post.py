@@ -23,7 +23,7 @@ from PySide6.QtNetwork import QLocalServer, QLocalSocket
 from qovr_app.window.preferences import present_folder
 from qovr_app.window.process_lock import Hold, ProcessLock
 from qovr_core import QovrError
-from qovr_core.files.sources import PRESET_PREFIX, local_path
+from qovr_core.files.sources import MADE_HERE, local_path
 
 _PATIENCE_SECONDS = 3.0
 """A process that has begun to start listens and answers by then, also on a slow machine."""
@@ -130,7 +130,7 @@ def _is_taken(address: str, message: bytes, end: float) -> bool:
 
 def _from_anywhere(source: str) -> str:
     """Return a source as a process with another present folder finds it."""
-    if source.startswith(PRESET_PREFIX):
+    if source.startswith(MADE_HERE):
         return source
     try:
         return str(present_folder() / local_path(source))

@@ -7,7 +7,7 @@ from pathlib import Path
 from qovr_app.state.intents import Opened, Stamp
 from qovr_core import Document, SourceError
 from qovr_core.files import read_source, write_document
-from qovr_core.files.sources import PRESET_PREFIX, local_path
+from qovr_core.files.sources import MADE_HERE, PRESET_PREFIX, SHAPE_PREFIX, local_path
 
 DOCUMENT_SUFFIX = ".qovr"
 
@@ -16,7 +16,7 @@ _LARGE_BYTES = 1 << 18
 
 
 def opened_source(source: str) -> Opened:
-    """Return what came of opening a file that carries a document, or ``paper:NAME``.
+    """Return what came of opening a file that carries a document, ``paper:NAME`` or ``shape:NAME``.
 
     Raises
     ------
@@ -26,6 +26,9 @@ def opened_source(source: str) -> Opened:
     if source.startswith(PRESET_PREFIX):
         name = source.removeprefix(PRESET_PREFIX)
         return Opened(read_source(source), name, preset=name, message=f"Opened {name}")
+    if source.startswith(SHAPE_PREFIX):
+        name = source.removeprefix(SHAPE_PREFIX)
+        return Opened(read_source(source), name, message=f"Opened {name}")
     source = local_path(source)
     stamp = _stamp_if_told(Path(source))  # before it is read: a change on the way is noticed later
     document = read_source(source)
@@ -47,7 +50,7 @@ def opened_if_small(source: str) -> Opened | None:
 def is_large(source: str) -> bool:
     """Return whether reading a source takes so long that another process has to do it."""
     try:
-        return not source.startswith(PRESET_PREFIX) and Path(local_path(source)).stat().st_size > _LARGE_BYTES
+        return not source.startswith(MADE_HERE) and Path(local_path(source)).stat().st_size > _LARGE_BYTES
     except (OSError, ValueError, SourceError):
         return False  # reading will say why
 
@@ -59,7 +62,7 @@ def place_of(source: str) -> Path | None:
     ------
     QovrError, OSError : it cannot be told
     """
-    return None if source.startswith(PRESET_PREFIX) else Path(local_path(source)).resolve()
+    return None if source.startswith(MADE_HERE) else Path(local_path(source)).resolve()
 
 
 def written_document(document: Document, path: Path) -> tuple[Path, Stamp | None]:

@@ -19,7 +19,7 @@ DONE, ANSWER_IS_NO, WRONG = 0, 1, 2
 
 SOURCE_HELP = (
     "SOURCE is a .qovr file, a workbook in the published layout (.xlsx), an exported .npz, .mat or .3dm, "
-    "or paper:NAME, such as paper:fig6b."
+    "or paper:NAME or shape:NAME, such as paper:fig6b; 'qovr presets' lists them."
 )
 
 

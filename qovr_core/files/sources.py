@@ -14,8 +14,14 @@ from qovr_core.files.formats import FORMATS
 from qovr_core.files.qovr_document import QOVR
 from qovr_core.files.reading import check_readable
 from qovr_core.presets import preset
+from qovr_core.shapes import shape
 
 PRESET_PREFIX = "paper:"
+
+SHAPE_PREFIX = "shape:"
+
+MADE_HERE = (PRESET_PREFIX, SHAPE_PREFIX)
+"""What sources that are no files begin with."""
 
 _ADDRESS = re.compile(r"file:(?://(?P<host>[^/]*))?(?=/)", re.IGNORECASE)
 
@@ -60,20 +66,22 @@ def local_path(source: str) -> str:
 
 
 def read_source(source: str) -> Document:
-    """Return the document of a file that carries one, or of ``paper:NAME``.
+    """Return the document of a file that carries one, of ``paper:NAME`` or of ``shape:NAME``.
 
     Raises
     ------
-    SourceError : there is no such preset, or the file is of another kind
+    SourceError : there is no such preset or shape, or the file is of another kind
     FileError : the file cannot be read or does not hold a valid document
     """
     if source.startswith(PRESET_PREFIX):
         return preset(source.removeprefix(PRESET_PREFIX)).document
+    if source.startswith(SHAPE_PREFIX):
+        return shape(source.removeprefix(SHAPE_PREFIX)).document()
     path = Path(local_path(source))
     suffix = path.suffix.lower()
     for entry in FORMATS.values():
         if entry.reader is not None and suffix in (entry.suffix, *entry.other_suffixes, *entry.suffixes_read):
             check_readable(path)
             return entry.reader(path)
-    expected = f"a file of {', '.join(source_suffixes())}, or {PRESET_PREFIX}NAME"
+    expected = f"a file of {', '.join(source_suffixes())}, {PRESET_PREFIX}NAME or {SHAPE_PREFIX}NAME"
     raise SourceError(f"{source or 'an empty name'}: is no source; expected {expected}")
