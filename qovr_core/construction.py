@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from qovr_core.arrays import Array, Flags, read_only
+from qovr_core.arrays import Array, Flags, Indices, read_only
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import EvaluationError
@@ -113,7 +113,7 @@ def build_patch(document: Document, base: tuple[Document, Patch] | None = None) 
         coefficients = base[1].coefficients.copy()
         if len(touched[0]):
             coefficients[touched] = _coefficients(document, *(array[touched] for array in document_arrays(document)))
-    along_u, along_v = (_degree(document, direction) for direction in Direction)
+    along_u, along_v = window_degrees(document).max(axis=(0, 1)).tolist()
     lengths_u, lengths_v = (
         window_lengths(knots_of(document, direction), document.joints.along(direction)) for direction in Direction
     )
@@ -153,11 +153,17 @@ def active_curves(document: Document, direction: Direction) -> list[int]:
     return sorted({first + each for first in range(0, curves - NET_SIZE + 1, STEP) for each in active})
 
 
-def _degree(document: Document, direction: Direction) -> int:
-    """Return the degree along the curves of a direction: the largest of those that have an effect."""
-    knots = knots_of(document, direction).array[active_curves(document, direction)]
-    s, u = (knots[..., KNOT_NAMES.index(name)] for name in "su")
-    return 4 if bool((s == u).all()) else 6
+def window_degrees(document: Document) -> Indices:
+    """Return the degree of the surface in u and in v in every window, (m, n, 2).
+
+    It is 4 where s_ip = u_ip (v_ip) on all curves that have an effect, else 6.
+    """
+    degrees = []
+    for direction, windows_of in ((Direction.ROWS, row_windows), (Direction.COLUMNS, column_windows)):
+        knots, active = windows_of(knots_of(document, direction)), document.formulation.active_curves(direction)
+        s, u = (knots[..., slice(None) if active is None else list(active), KNOT_NAMES.index(name)] for name in "su")
+        degrees.append(np.where((s == u).all(axis=-1), 4, 6))
+    return np.stack(degrees, axis=-1)
 
 
 def overflow_error(document: Document) -> EvaluationError:

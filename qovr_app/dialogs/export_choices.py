@@ -7,7 +7,7 @@ from enum import StrEnum
 from typing import TypeVar
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
+from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
 from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.parts import named, words
@@ -16,6 +16,7 @@ from qovr_core import Document, DocumentError
 from qovr_core.files import Format
 from qovr_core.files.conventions import CsvDialect, Unit, Up
 from qovr_core.files.options import ExportOptions
+from qovr_core.joints import Joint
 from qovr_core.layer import Layer
 from qovr_core.number_texts import number_text
 
@@ -57,6 +58,9 @@ class ExportChoices(QWidget):
         self._dialect = self._choice("export.csv_dialect", "How the table is spelt", CsvDialect, first.csv_dialect)
         for k, dialect in enumerate(CsvDialect):
             self._dialect.setItemText(k, dialect.wording)
+        self._single_face = named(QCheckBox("across sharp joints", self), "export.single_face", "One face")
+        self._single_face.setToolTip("Keep the surface in one face. Else each smooth part is a face of its own.")
+        self._has_parts = document.formulation.is_continuous and Joint.SHARP in document.joints.u + document.joints.v
         self._layer.currentTextChanged.connect(self.choices_changed)
         self._tolerance.textChanged.connect(self.choices_changed)
         self._form = QFormLayout(self)
@@ -68,6 +72,7 @@ class ExportChoices(QWidget):
         self._form.addRow("&Units", self._unit)
         self._form.addRow("U&p", self._up)
         self._form.addRow("&Spelling", self._dialect)
+        self._form.addRow("One &face", self._single_face)
 
     def describe(self, entry: Format) -> None:
         """Show a format; choices it does not know go away."""
@@ -78,6 +83,7 @@ class ExportChoices(QWidget):
         self._form.setRowVisible(self._unit, entry.has_unit)
         self._form.setRowVisible(self._up, entry.usual_up is not None)
         self._form.setRowVisible(self._dialect, entry.is_text_table)
+        self._form.setRowVisible(self._single_face, entry.has_parts and self._has_parts)
         self._up.setItemText(0, f"usual for {entry.suffix}: {entry.usual_up}")
 
     @property
@@ -95,7 +101,9 @@ class ExportChoices(QWidget):
         DocumentError : the tolerance is no positive number
         """
         layer = Layer(self._layer.currentText()) if entry.holds_one_layer else None
-        return replace(self.conventions, layer=layer, tolerance=self._typed_tolerance() if entry.is_mesh else None)
+        tolerance = self._typed_tolerance() if entry.is_mesh else None
+        single_face = entry.has_parts and self._single_face.isChecked()
+        return replace(self.conventions, layer=layer, tolerance=tolerance, single_face=single_face)
 
     def _choice(self, name: str, spoken: str, kind: type[_Kind], chosen: _Kind | None) -> QComboBox:
         """Return a list of all values of a kind; each item's data is the value's text."""

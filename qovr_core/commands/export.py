@@ -55,6 +55,12 @@ def add_command(commands: Any) -> None:
         choices=[str(dialect) for dialect in CsvDialect],
         help="how .csv is spelt (default: comma): " + "; ".join(f"{d} has {d.wording}" for d in CsvDialect),
     )
+    command.add_argument(
+        "--single-face",
+        action="store_true",
+        help=f"keep the surface of {_suffixes('has_parts')} in one face across sharp joints (default: a face for each "
+        "smooth part)",
+    )
     command.set_defaults(command=_export)
 
 
@@ -67,11 +73,13 @@ def _export(arguments: argparse.Namespace) -> int:
         Unit(arguments.units),
         arguments.up,
         CsvDialect(arguments.csv_dialect or CsvDialect.COMMA),
+        arguments.single_face,
     )
     for option, value, what, concerned in (
         ("--tolerance", arguments.tolerance, "a mesh", "is_mesh"),
         ("--up", arguments.up, "a mesh without an axis of its own", "usual_up"),
         ("--csv-dialect", arguments.csv_dialect, "a table of text", "is_text_table"),
+        ("--single-face", arguments.single_face or None, "an exact surface", "has_parts"),
     ):
         if value is not None and not any(getattr(target, concerned) for target in formats):
             raise QovrError(f"{option} is for {what}; expected an OUT that ends in {_suffixes(concerned)}")

@@ -1,10 +1,12 @@
-"""The patch as CAD formats want it: one B-spline surface of its true degree, and what its edges do."""
+"""Pieces of the surface as CAD formats want them: B-spline surfaces of their true degree, and what their edges do."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
+from itertools import chain, repeat
 from pathlib import Path
 
 import numpy as np
@@ -44,26 +46,93 @@ class Outline:
     closed_v: bool
 
 
-def control_points(patch: Patch) -> Array:
-    """Return the B-spline control points of a patch, (p + 1, q + 1, 3), p and q its true degrees.
+@dataclass(frozen=True)
+class KnotVector:
+    """The knots of a B-spline along one parameter.
 
-    The knots are clamped, 0 and 1 with multiplicity degree + 1 each way, so these are Bernstein coefficients.
-    Where a reduction to degree 4 would not meet the patch to rounding, the degree stays 6.
+    Parameters
+    ----------
+    degree : of the B-spline
+    values : the distinct knots, rising
+    multiplicities : how often each is there
     """
-    points: Array = patch.coefficients[0, 0]
-    for axis, degree in enumerate(patch.degree):
-        if degree < PATCH_DEGREE:
-            reduced = _along(_reduction(degree), points, axis)
-            missed = np.abs(_along(bernstein.elevation(degree, PATCH_DEGREE), reduced, axis) - points).max()
-            if missed <= _ROUNDING * np.abs(points).max():
-                points = reduced
-    return read_only(points)
+
+    degree: int
+    values: tuple[float, ...]
+    multiplicities: tuple[int, ...]
+
+    @property
+    def repeated(self) -> list[float]:
+        """All knots, each as often as it is there."""
+        return list(chain.from_iterable(map(repeat, self.values, self.multiplicities)))
 
 
-def has_area(patch: Patch) -> bool:
-    """Return whether the tangents are independent anywhere on a coarse grid."""
+@dataclass(frozen=True, eq=False)
+class SplineSurface:
+    """A B-spline surface, not rational, clamped each way.
+
+    Parameters
+    ----------
+    points : (k, l, 3) control points, u along the first axis
+    u, v : its knots
+    """
+
+    points: Array
+    u: KnotVector
+    v: KnotVector
+
+
+def spline_surface(
+    coefficients: Array,
+    degree: tuple[int, int],
+    breakpoints: tuple[Array, Array],
+    smooth: tuple[Sequence[bool], Sequence[bool]],
+) -> SplineSurface:
+    """Return a block of windows as one B-spline surface with its knots at the windows' breakpoints.
+
+    Where a joint is smooth, its knot has the multiplicity degree - 1, and the Bernstein coefficients there, means of
+    their neighbours weighed by the windows' lengths, are no control points; else it has the multiplicity degree. Where
+    a reduction to degree 4 would not meet the patches to rounding, the degree stays 6.
+
+    Parameters
+    ----------
+    coefficients : (m, n, 7, 7, 3) of the patches, windows along v first; neighbours share those of their joint
+    degree : the true degrees in u and in v, each 4 or 6
+    breakpoints : (n + 1,) and (m + 1,) in u and in v
+    smooth : which of the n - 1 and m - 1 joints between them are smooth
+    """
+    pieces = coefficients
+    for axis, lower in enumerate(degree, 2):
+        if lower < PATCH_DEGREE:
+            reduced = _along(_reduction(lower), pieces, axis)
+            missed = np.abs(_along(bernstein.elevation(lower, PATCH_DEGREE), reduced, axis) - pieces).max()
+            if missed <= _ROUNDING * np.abs(pieces).max():
+                pieces = reduced
+    knots = [
+        _knot_vector(size - 1, ends.tolist(), joints)
+        for size, ends, joints in zip(pieces.shape[2:4], breakpoints, smooth, strict=True)
+    ]
+    rows = _chained(pieces.transpose(1, 2, 0, 3, 4), smooth[0])
+    points = _chained(rows.transpose(1, 2, 0, 3), smooth[1]).transpose(1, 0, 2)
+    return SplineSurface(read_only(points), *knots)
+
+
+def has_area(patch: Patch, rounding: Array) -> bool:
+    """Return whether in any window the tangents are independent anywhere on a coarse grid.
+
+    Parameters
+    ----------
+    rounding : (3,) up to what size a difference of coordinates is no more than rounding; no window is a surface whose
+        extents are that small
+    """
+    return any(_window_has_area(patch.window(a, b), rounding) for a, b in np.ndindex(*patch.windows))
+
+
+def _window_has_area(window: Patch, rounding: Array) -> bool:
+    if (np.ptp(window.coefficients.reshape(-1, 3), axis=0) <= rounding).all():
+        return False
     t = np.linspace(0.0, 1.0, _AREA_SAMPLES)
-    su, sv = (_of_unit_size(patch.derivative(t, t, *order)) for order in ((1, 0), (0, 1)))
+    su, sv = (_of_unit_size(window.derivative(t, t, *order)) for order in ((1, 0), (0, 1)))
     lengths = np.linalg.norm(np.cross(su, sv), axis=-1)
     bound = np.linalg.norm(su, axis=-1).max() * np.linalg.norm(sv, axis=-1).max()
     return bool(lengths.max() > _NO_AREA * bound)
@@ -77,7 +146,7 @@ def chosen_patch(evaluation: Evaluation, options: ExportOptions, path: Path) -> 
     FileError : the patch is no surface, for it has no area
     """
     patch = options.chosen_patch(evaluation)
-    if not has_area(patch):
+    if not has_area(patch, evaluation.layer_rounding(options.chosen_layer(evaluation.document))):
         raise FileError(f"{path}: the surface is drawn together into a curve or a point; expected one with an area")
     return patch
 
@@ -93,24 +162,37 @@ def uncertainty(points: Array) -> float:
     return float(f"1e{math.ceil(math.log10(diagonal(points))) - _UNCERTAINTY_DIGITS}")
 
 
+def coincide(a: Array, b: Array, within: float) -> bool:
+    """Return whether points (..., 3) are the same as others, each within a distance."""
+    return bool(np.linalg.norm(a - b, axis=-1).max() <= within)
+
+
 def outline(points: Array, within: float) -> Outline:
     """Return which edges of a patch are one point or one curve.
 
     Parameters
     ----------
-    points : (p + 1, q + 1, 3) Bernstein coefficients
+    points : (k, l, 3) control points of a clamped surface, as Bernstein coefficients are
     within : the distance at which points count as one
     """
     edges = {edge: points[edge.position] for edge in Edge}
 
-    def coincide(a: Array, b: Array) -> bool:
-        return bool(np.linalg.norm(a - b, axis=-1).max() <= within)
-
     return Outline(
-        collapsed=frozenset(name for name, curve in edges.items() if coincide(curve, curve[:1])),
-        closed_u=coincide(edges[Edge.U0], edges[Edge.U1]),
-        closed_v=coincide(edges[Edge.V0], edges[Edge.V1]),
+        collapsed=frozenset(name for name, curve in edges.items() if coincide(curve, curve[:1], within)),
+        closed_u=coincide(edges[Edge.U0], edges[Edge.U1], within),
+        closed_v=coincide(edges[Edge.V0], edges[Edge.V1], within),
     )
+
+
+def _knot_vector(degree: int, values: list[float], smooth: Sequence[bool]) -> KnotVector:
+    inner = (degree - 1 if joint else degree for joint in smooth)
+    return KnotVector(degree, tuple(values), (degree + 1, *inner, degree + 1))
+
+
+def _chained(pieces: Array, smooth: Sequence[bool]) -> Array:
+    """Return the control points (k, ...) of a chain of windows (windows, degree + 1, ...) along one parameter."""
+    ends = [-1 if joint else None for joint in smooth] + [None]
+    return np.concatenate([pieces[0, :1], *(piece[1:end] for piece, end in zip(pieces, ends, strict=True))])
 
 
 def _of_unit_size(vectors: Array) -> Array:

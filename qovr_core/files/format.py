@@ -42,6 +42,7 @@ class Format:
     is_mesh : whether ``ExportOptions.tolerance`` decides how fine
     has_unit : whether ``ExportOptions.unit`` is declared in it, or decides its size
     usual_up : the axis that its readers expect to point up, where ``ExportOptions.up`` may choose another; else None
+    has_parts : whether ``ExportOptions.single_face`` decides in how many surfaces it holds a net
     is_text_table : whether ``ExportOptions.csv_dialect`` decides how it spells its cells
     other_suffixes : under which it is known too, as ``.stp``
     suffixes_read : of kinds of files that it reads but does not write
@@ -59,6 +60,7 @@ class Format:
     is_mesh: bool = False
     has_unit: bool = False
     usual_up: Up | None = None
+    has_parts: bool = False
     is_text_table: bool = False
     other_suffixes: tuple[str, ...] = ()
     suffixes_read: tuple[str, ...] = ()

@@ -1,4 +1,4 @@
-"""Writing ``.iges`` (IGES 5.3): the exact surface as one rational B-spline surface, entity 128."""
+"""Writing ``.iges`` (IGES 5.3): the exact surface, a rational B-spline surface (entity 128) for each smooth part."""
 
 from __future__ import annotations
 
@@ -8,13 +8,14 @@ from pathlib import Path
 
 import numpy as np
 
-from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
-from qovr_core.files import bspline, step_entities
+from qovr_core.files import bspline, parts, step_entities
 from qovr_core.files.atomic import replacing
+from qovr_core.files.bspline import SplineSurface
 from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
+from qovr_core.files.parts import Sheet
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin, timestamp, timestamp_insisted_on
 from qovr_core.files.qovr_document import document_to_json
@@ -33,16 +34,17 @@ _LABEL = "QOVR"
 
 
 def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
-    """Write the exact surface, one entity of its true degree, in the unit of its numbers.
+    """Write the exact surface in the unit of its numbers, an entity of its true degree for each smooth part.
 
     Raises
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = bspline.chosen_patch(evaluation, options, path)
+    sheets = parts.sheets(evaluation, options, path)
     progress(0.0)
-    points = bspline.control_points(patch)
-    text = _file(_start(evaluation, options), _global_fields(points, path, options.unit), _parameters(points))
+    within = parts.uncertainty(sheets)
+    entities = [_parameters(surface, within) for surface in parts.surfaces(sheets)]
+    text = _file(_start(evaluation, options), _global_fields(sheets, path, options.unit), entities)
     with replacing(path) as (draft,):
         draft.write_text(text, encoding="ascii", newline="\n")
         progress(1.0)
@@ -51,11 +53,13 @@ def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: 
 IGES = Format(
     suffix=".iges",
     name="IGES 5.3",
-    keeps=f"the exact surface, one B-spline surface (entity {ENTITY}) of its true degree, in the unit of its numbers",
+    keeps=f"the exact surface, a B-spline surface (entity {ENTITY}) of true degree for each smooth part, in the unit "
+    "of its numbers",
     loses="nothing of the surface; control net, knots and samples, but for the document as text",
     writer=write_iges,
     holds_one_layer=True,
     has_unit=True,
+    has_parts=True,
     other_suffixes=(".igs",),
 )
 
@@ -78,31 +82,31 @@ def _start(evaluation: Evaluation, options: ExportOptions) -> list[str]:
     return [origin(evaluation, options)[:_TEXT_COLUMNS], "The document:", *document]
 
 
-def _global_fields(points: Array, path: Path, unit: Unit) -> list[str]:
+def _global_fields(sheets: tuple[Sheet, ...], path: Path, unit: Unit) -> list[str]:
     made = hollerith(f"{timestamp_insisted_on():%Y%m%d.%H%M%S}")
     changed = made if timestamp() else ""
     names = [hollerith(text) for text in (path.stem, path.name, PROGRAM, PROGRAM)]
     precision = ["32", "38", "6", "308", "15"]  # bits of an integer, then exponents and digits of both reals
     flag, name = UNITS[unit]
-    largest = real(float(np.abs(points).max()))
+    largest = real(max(float(np.abs(surface.points).max()) for surface in parts.surfaces(sheets)))
     return [
         *("1H,", "1H;", *names, *precision, hollerith(path.stem)),
-        *("1.0", str(flag), hollerith(name), "1", "0.0", made, real(bspline.uncertainty(points)), largest),
+        *("1.0", str(flag), hollerith(name), "1", "0.0", made, real(parts.uncertainty(sheets)), largest),
         *("", "", str(IGES_5_3), "0", changed),
     ]
 
 
-def _parameters(points: Array) -> list[str]:
+def _parameters(surface: SplineSurface, within: float) -> list[str]:
     """Return the fields of entity 128; here u runs fastest through the control points."""
-    p, q = (count - 1 for count in points.shape[:2])
-    edges = bspline.outline(points, bspline.uncertainty(points))
-    knots = [real(knot) for degree in (p, q) for knot in (0.0, 1.0) for _ in range(degree + 1)]
+    outline = bspline.outline(surface.points, within)
+    knots = [real(knot) for vector in (surface.u, surface.v) for knot in vector.repeated]
     is_polynomial, is_periodic = "1", "0"
-    flags = [str(int(edges.closed_u)), str(int(edges.closed_v)), is_polynomial, is_periodic, is_periodic]
-    weights = ["1.0"] * ((p + 1) * (q + 1))
-    coordinates = [real(x) for x in points.transpose(1, 0, 2).ravel().tolist()]
-    domain = ["0.0", "1.0", "0.0", "1.0"]
-    sizes = [str(number) for number in (ENTITY, p, q, p, q)]
+    flags = [str(int(outline.closed_u)), str(int(outline.closed_v)), is_polynomial, is_periodic, is_periodic]
+    count_u, count_v = surface.points.shape[:2]
+    weights = ["1.0"] * (count_u * count_v)
+    coordinates = [real(x) for x in surface.points.transpose(1, 0, 2).ravel().tolist()]
+    domain = [real(vector.values[end]) for vector in (surface.u, surface.v) for end in (0, -1)]
+    sizes = [str(number) for number in (ENTITY, count_u - 1, count_v - 1, surface.u.degree, surface.v.degree)]
     return [*sizes, *flags, *knots, *weights, *coordinates, *domain]
 
 
@@ -121,19 +125,18 @@ def _wrapped(fields: list[str], columns: int) -> Iterator[str]:
     yield line
 
 
-def _file(start: list[str], global_fields: list[str], parameters: list[str]) -> str:
-    fields = list(_wrapped(parameters, _PARAMETER_COLUMNS))
-    entry = 1
-    directory = [
-        "".join(f"{value:>8}" for value in (ENTITY, 1, 0, 0, 0, 0, 0, 0, "00000000")),
-        "".join(f"{value:>8}" for value in (ENTITY, 0, 0, len(fields), 0, "", "", _LABEL, 0)),
-    ]
-    sections = {
-        "S": start,
-        "G": list(_wrapped(global_fields, _TEXT_COLUMNS)),
-        "D": directory,
-        "P": [f"{line:<{_PARAMETER_COLUMNS}}{entry:>8}" for line in fields],
-    }
+def _file(start: list[str], global_fields: list[str], entities: list[list[str]]) -> str:
+    directory: list[str] = []
+    parameters: list[str] = []
+    for fields in entities:
+        entry, first = len(directory) + 1, len(parameters) + 1
+        lines = list(_wrapped(fields, _PARAMETER_COLUMNS))
+        parameters += [f"{line:<{_PARAMETER_COLUMNS}}{entry:>8}" for line in lines]
+        directory += [
+            "".join(f"{value:>8}" for value in (ENTITY, first, 0, 0, 0, 0, 0, 0, "00000000")),
+            "".join(f"{value:>8}" for value in (ENTITY, 0, 0, len(lines), 0, "", "", _LABEL, 0)),
+        ]
+    sections = {"S": start, "G": list(_wrapped(global_fields, _TEXT_COLUMNS)), "D": directory, "P": parameters}
     counts = "".join(f"{letter}{len(lines):>7}" for letter, lines in sections.items())
     sections["T"] = [counts]
     return "".join(

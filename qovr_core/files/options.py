@@ -25,6 +25,7 @@ class ExportOptions:
     unit : what the document's numbers count
     up : the axis that points up in the file; None takes the one that readers of the format expect
     csv_dialect : how a table of text spells its cells
+    single_face : whether an exact surface stays one face across its sharp joints, instead of one for each smooth part
 
     Raises
     ------
@@ -36,6 +37,7 @@ class ExportOptions:
     unit: Unit = Unit.MILLIMETRE
     up: Up | None = None
     csv_dialect: CsvDialect = CsvDialect.COMMA
+    single_face: bool = False
 
     def __post_init__(self) -> None:
         kinds = {"layer": Layer, "unit": Unit, "up": Up, "csv_dialect": CsvDialect}

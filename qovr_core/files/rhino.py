@@ -8,23 +8,26 @@ import struct
 import zlib
 from dataclasses import replace
 from datetime import datetime
+from hashlib import sha256
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 from uuid import UUID, uuid5
 
-from qovr_core.arrays import Array
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
-from qovr_core.files import bspline
+from qovr_core.files import parts
 from qovr_core.files.atomic import LOGGER, replacing
+from qovr_core.files.bspline import SplineSurface
 from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
+from qovr_core.files.parts import Sheet
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import LARGEST_FILE, document_from_json, document_to_json
 from qovr_core.files.reading import reading
-from qovr_core.files.rhino_points import moved_points
+from qovr_core.files.rhino_points import moved_points, own_points
 
 DOCUMENT_KEY = "qovr.document"
 
@@ -41,19 +44,24 @@ _TIMES = (5, 41)
 _IDS = UUID("5d1a6bfe-6f0c-4e0f-9a53-6d0f1f4e7c11")
 """Of which the ids of layers and objects are made, with their names and the document: openNURBS takes any at random."""
 
+_LONGEST_IDENTITY = 1 << 16
+"""Characters of a document that go into every id; of a longer one its digest does, since a large net has many ids."""
+
 SURFACE_LAYER, NET_LAYER, POINTS_LAYER = "Surface", "Control net", "Control points"
 
 
 def write_3dm(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
     """Write the exact surface of its true degree, the net's lines and points, and the document, in its numbers' unit.
 
+    Each smooth part is a surface of its own. Of the points that are one on a closed net the first is written.
+
     Raises
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = bspline.chosen_patch(evaluation, options, path)
+    sheets = parts.sheets(evaluation, options, path)
     progress(0.0)
-    content = _dated(base64.b64decode(_model(evaluation, bspline.control_points(patch), options).Encode()))
+    content = _dated(base64.b64decode(_model(evaluation, sheets, options).Encode()))
     progress(0.5)
     with replacing(path) as (draft,):
         draft.write_bytes(content)
@@ -95,8 +103,7 @@ def read_3dm(path: Path) -> Document:
             raise ValueError("is no Rhino file (.3dm)")
         with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
             document = document_from_json(_document_text(content))
-            net = moved_points(content, document.control_points)
-        moved = int((net != document.control_points).any(axis=-1).sum())
+            net, moved = moved_points(content, document)
         if not moved:
             return document
         document = replace(document, control_points=net)
@@ -108,13 +115,14 @@ def read_3dm(path: Path) -> Document:
 RHINO = Format(
     suffix=".3dm",
     name="Rhino model",
-    keeps="the exact surface of its true degree in the unit of its numbers, control net and points, "
-    "the document as user text",
+    keeps="the exact surface, one of true degree for each smooth part, in the unit of its numbers, control net and "
+    "points, the document as user text",
     loses="the samples and the other layer, which the document makes again",
     writer=write_3dm,
     reader=read_3dm,
     holds_one_layer=True,
     has_unit=True,
+    has_parts=True,
 )
 
 
@@ -130,35 +138,38 @@ def _document_text(content: mmap.mmap) -> str:
     return content[start + 4 : start + 4 + length].decode("utf-16-le").rstrip("\0")
 
 
-def _model(evaluation: Evaluation, points: Array, options: ExportOptions) -> Any:
+def _model(evaluation: Evaluation, sheets: tuple[Sheet, ...], options: ExportOptions) -> Any:
     import rhino3dm
 
     document = evaluation.document
     text = document_to_json(document)
+    identity = text if len(text) <= _LONGEST_IDENTITY else sha256(text.encode()).hexdigest()
     model = rhino3dm.File3dm()
     model.ApplicationName = PROGRAM
     model.Settings.ModelUnitSystem = getattr(rhino3dm.UnitSystem, _UNIT_SYSTEMS[options.unit])
-    model.Settings.ModelAbsoluteTolerance = bspline.uncertainty(points)
+    model.Settings.ModelAbsoluteTolerance = parts.uncertainty(sheets)
     layers = {name: model.Layers.AddLayer(name, colour) for name, colour in _LAYERS.items()}
     for name, index in layers.items():
-        model.Layers[index].Id = uuid5(_IDS, f"{name}{text}")
+        model.Layers[index].Id = uuid5(_IDS, f"{name}{identity}")
 
     def named(name: str, layer: str) -> Any:
         attributes = rhino3dm.ObjectAttributes()
-        attributes.Name, attributes.Id = name, uuid5(_IDS, f"{layer}/{name}{text}")
+        attributes.Name, attributes.Id = name, uuid5(_IDS, f"{layer}/{name}{identity}")
         attributes.LayerIndex = layers[layer]
         return attributes
 
-    attributes = named("QOVR surface", SURFACE_LAYER)
-    attributes.SetUserString("qovr.origin", origin(evaluation, options))
-    model.Objects.AddSurface(_nurbs_surface(points), attributes)
+    surfaces = list(parts.surfaces(sheets))
+    for k, surface in enumerate(surfaces, 1):
+        attributes = named("QOVR surface" if len(surfaces) == 1 else f"QOVR surface {k}", SURFACE_LAYER)
+        attributes.SetUserString("qovr.origin", origin(evaluation, options))
+        model.Objects.AddSurface(_nurbs_surface(surface), attributes)
     net = [[rhino3dm.Point3d(*point) for point in row] for row in document.control_points.tolist()]
-    for k in range(len(net)):
-        for name, line in ((f"row {k}", net[k]), (f"column {k}", [row[k] for row in net])):
-            model.Objects.AddCurve(rhino3dm.PolylineCurve(rhino3dm.Point3dList(line)), named(name, NET_LAYER))
-    for i, row in enumerate(net):
-        for j, point in enumerate(row):
-            model.Objects.Add(rhino3dm.Point(point), named(f"P{i},{j}", POINTS_LAYER))
+    lines = [(i, "row", row) for i, row in enumerate(net)]
+    lines += [(j, "column", list(column)) for j, column in enumerate(zip(*net, strict=True))]
+    for k, kind, line in sorted(lines, key=itemgetter(0)):
+        model.Objects.AddCurve(rhino3dm.PolylineCurve(rhino3dm.Point3dList(line)), named(f"{kind} {k}", NET_LAYER))
+    for i, j in own_points(document):
+        model.Objects.Add(rhino3dm.Point(net[i][j]), named(f"P{i},{j}", POINTS_LAYER))
     model.Strings[DOCUMENT_KEY] = text
     model.Strings["qovr.origin"] = origin(evaluation, options)
     model.Strings["qovr.formulation"] = str(document.formulation)
@@ -181,15 +192,16 @@ _LAYERS = {
 """Colours as red, green, blue, alpha."""
 
 
-def _nurbs_surface(points: Array) -> Any:
+def _nurbs_surface(spline: SplineSurface) -> Any:
     import rhino3dm
 
-    p, q = (count - 1 for count in points.shape[:2])
-    surface = rhino3dm.NurbsSurface.Create(3, False, p + 1, q + 1, p + 1, q + 1)
-    for knots, degree in ((surface.KnotsU, p), (surface.KnotsV, q)):
-        for k in range(2 * degree):  # openNURBS leaves out the first and the last knot
-            knots[k] = float(k >= degree)
-    for i, row in enumerate(points.tolist()):
+    count_u, count_v = spline.points.shape[:2]
+    surface = rhino3dm.NurbsSurface.Create(3, False, spline.u.degree + 1, spline.v.degree + 1, count_u, count_v)
+    for knots, vector in ((surface.KnotsU, spline.u), (surface.KnotsV, spline.v)):
+        for k, knot in enumerate(vector.repeated[1:-1]):  # openNURBS leaves out the first and the last knot
+            knots[k] = knot
+    points = surface.Points
+    for i, row in enumerate(spline.points.tolist()):
         for j, (x, y, z) in enumerate(row):
-            surface.Points[i, j] = rhino3dm.Point4d(x, y, z, 1.0)
+            points[i, j] = rhino3dm.Point4d(x, y, z, 1.0)
     return surface

@@ -1,4 +1,4 @@
-"""Writing ``.step`` (ISO 10303-21, AP214): the exact surface as one B-spline face.
+"""Writing ``.step`` (ISO 10303-21, AP214): the exact surface, a B-spline face for each smooth part.
 
 Written here and not by a CAD kernel, because kernels cut coordinates to 9 to 12 decimals; here every number reads
 back as itself.
@@ -10,14 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
-from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
-from qovr_core.files import bspline
+from qovr_core.files import parts
 from qovr_core.files.atomic import replacing
-from qovr_core.files.bspline import uncertainty
 from qovr_core.files.conventions import Unit
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
+from qovr_core.files.parts import Sheet
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, origin, timestamp
 from qovr_core.files.qovr_document import document_to_json
@@ -27,21 +26,23 @@ from qovr_core.files.step_face import add_shell_model
 _SI_PREFIXES = {Unit.MILLIMETRE: ".MILLI.", Unit.CENTIMETRE: ".CENTI.", Unit.METRE: "$"}
 _MILLIMETRES_AN_INCH = 25.4
 
+_LONGEST_TEXT = 4000
+"""Characters of one string: OpenCASCADE reads no file with a string of more than 16,383, escaped as it stands there."""
+
 SCHEMA = "AUTOMOTIVE_DESIGN { 1 0 10303 214 1 1 1 1 }"
 
 
 def write_step(evaluation: Evaluation, path: Path, progress: Progress, options: ExportOptions = DEFAULTS) -> None:
-    """Write the exact surface, one face of its true degree, in the unit of its numbers.
+    """Write the exact surface in the unit of its numbers, a face of true degree for each smooth part, sewn together.
 
     Raises
     ------
     FileError : the surface has no area, or the file cannot be written
     """
-    patch = bspline.chosen_patch(evaluation, options, path)
+    sheets = parts.sheets(evaluation, options, path)
     progress(0.0)
-    points = bspline.control_points(patch)
     description = origin(evaluation, options)
-    data = _data_section(points, path.stem, description, document_to_json(evaluation.document), options.unit)
+    data = _data_section(sheets, path.stem, description, document_to_json(evaluation.document), options.unit)
     with replacing(path) as (draft,):
         draft.write_text(_header(path, description) + data, encoding="ascii", newline="\n")
         progress(1.0)
@@ -50,11 +51,12 @@ def write_step(evaluation: Evaluation, path: Path, progress: Progress, options: 
 STEP = Format(
     suffix=".step",
     name="STEP AP214",
-    keeps="the exact surface, one B-spline face of its true degree, in the unit of its numbers",
+    keeps="the exact surface, a B-spline face of true degree for each smooth part, in the unit of its numbers",
     loses="nothing of the surface; control net, knots and samples, but for the document as an attribute",
     writer=write_step,
     holds_one_layer=True,
     has_unit=True,
+    has_parts=True,
     other_suffixes=(".stp",),
 )
 
@@ -70,11 +72,12 @@ def _header(path: Path, description: str) -> str:
     )
 
 
-def _data_section(points: Array, name: str, description: str, document: str, unit: Unit) -> str:
+def _data_section(sheets: tuple[Sheet, ...], name: str, description: str, document: str, unit: Unit) -> str:
     entities = Entities()
     definition = _product(entities, name, description)
-    context = _context(entities, uncertainty(points), unit)
-    model = add_shell_model(entities, points, name)
+    within = parts.uncertainty(sheets)
+    context = _context(entities, within, unit)
+    model = add_shell_model(entities, sheets, within, name)
     origin_point = entities.point(np.zeros(3))
     axes = [entities.add(f"DIRECTION('',({joined(map(real, axis))}))") for axis in ((0, 0, 1), (1, 0, 0))]
     placement = entities.add(f"AXIS2_PLACEMENT_3D('',{origin_point},{axes[0]},{axes[1]})")
@@ -123,8 +126,13 @@ def _length_unit(entities: Entities, unit: Unit) -> str:
 
 
 def _attribute(entities: Entities, definition: str, context: str, name: str, text: str) -> None:
-    """Add a text as a user-defined attribute of the product."""
-    item = entities.add(f"DESCRIPTIVE_REPRESENTATION_ITEM({quoted(name)},{quoted(text)})")
+    """Add a text as a user-defined attribute of the product, a long one as numbered items."""
+    pieces = [text[k : k + _LONGEST_TEXT] for k in range(0, len(text), _LONGEST_TEXT)]
+    names = [name] if len(pieces) == 1 else [f"{name} {k + 1} of {len(pieces)}" for k in range(len(pieces))]
+    items = [
+        entities.add(f"DESCRIPTIVE_REPRESENTATION_ITEM({quoted(item)},{quoted(piece)})")
+        for item, piece in zip(names, pieces, strict=True)
+    ]
     meaning = entities.add(f"PROPERTY_DEFINITION({quoted(name)},'user defined attribute',{definition})")
-    content = entities.add(f"REPRESENTATION({quoted(name)},({item}),{context})")
+    content = entities.add(f"REPRESENTATION({quoted(name)},({joined(items)}),{context})")
     entities.add(f"PROPERTY_DEFINITION_REPRESENTATION({meaning},{content})")

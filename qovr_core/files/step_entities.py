@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from qovr_core.arrays import Array
-
 
 def real(value: float) -> str:
     """Return the shortest decimal that reads back as the number, as STEP spells it: ``1e-05`` is ``1.E-5``."""
@@ -42,7 +40,7 @@ class Entities:
         self.lines.append(f"#{len(self.lines) + 1}={text};")
         return f"#{len(self.lines)}"
 
-    def point(self, coordinates: Array) -> str:
+    def point(self, coordinates: Iterable[float]) -> str:
         return self.add(f"CARTESIAN_POINT('',({joined(real(x) for x in coordinates)}))")
 
 

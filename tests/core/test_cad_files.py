@@ -5,7 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_core import FORMULATIONS, Edge, FileError, Formulation, Patch, configure
+from qovr_core import FORMULATIONS, Edge, FileError, Formulation, configure
 from qovr_core.files import FORMATS, ExportOptions, bspline, format_for, read_source, step
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json
@@ -75,19 +75,25 @@ def test_the_chosen_layer_is_written(suffix, formulation, layer, tmp_path):
 @pytest.mark.parametrize("degree", DEGREES)
 def test_degree_reduction_keeps_corners_and_meets_the_patch(degree):
     patch = build(degree)
-    points = bspline.control_points(patch)
+    points = spline(patch, degree).points
     assert points.shape == (degree[0] + 1, degree[1] + 1, 3)
     for corner in ((0, 0), (0, -1), (-1, 0), (-1, -1)):
         assert np.array_equal(points[corner], patch.coefficients[0, 0][corner])
 
 
 def test_a_patch_that_is_not_of_the_degree_it_claims_stays_of_degree_6():
-    patch = Patch(build((6, 6)).coefficients[0, 0], (4, 4))
-    assert np.array_equal(bspline.control_points(patch), patch.coefficients[0, 0])
+    patch = build((6, 6))
+    surface = spline(patch, (4, 4))
+    assert np.array_equal(surface.points, patch.coefficients[0, 0])
+    assert (surface.u.degree, surface.v.degree) == (6, 6)
 
 
 def build(degree):
     return configure(of_degree(23, *degree)).patch
+
+
+def spline(patch, degree):
+    return bspline.spline_surface(patch.coefficients, degree, patch.breakpoints, ((), ()))
 
 
 # --- STEP -------------------------------------------------------------------------------------------------------------
@@ -267,7 +273,7 @@ def test_iges_globals(tmp_path):
     fields = IgesFile(export(surface, tmp_path / "name.iges")).globals
     assert fields[:4] == [",", ";", "name", "name.iges"]
     assert fields[12:15] == ["1.0", "2", "MM"]
-    assert float(fields[18].replace("D", "E")) == step.uncertainty(bspline.control_points(surface.patch))
+    assert float(fields[18].replace("D", "E")) == bspline.uncertainty(spline(surface.patch, (6, 4)).points)
     assert fields[22] == "11"
 
 

@@ -2,7 +2,7 @@
 
 import subprocess
 import sys
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +14,7 @@ from qovr_core.files.progress import silent
 from qovr_core.layer import Layer
 from qovr_core.presets import preset
 from support.documents import random_net
+from support.opencascade import area, read
 from support.shapes import CLOSED, COINCIDING, COLLAPSED, at_random, coinciding, of_degree, special
 
 pytestmark = pytest.mark.slow
@@ -30,64 +31,21 @@ MESH_DEVIATION, MESH_ANGLE = 1e-4, 0.1
 """Of its triangles, which tell the area more closely: their distance as a part of the size, and their angle."""
 
 
-@dataclass
-class Face:
-    """The one face of a file."""
-
-    is_valid: bool
-    surface: object
-    area: float
-    shape: object
-
-    def points(self, parameters):
-        return np.array([[p.X(), p.Y(), p.Z()] for p in (self.surface.Value(u, v) for u, v in parameters)])
-
-
-def read(path):
-    from OCP.BRep import BRep_Tool
-    from OCP.BRepCheck import BRepCheck_Analyzer
-    from OCP.BRepGProp import BRepGProp
-    from OCP.GProp import GProp_GProps
-    from OCP.IFSelect import IFSelect_ReturnStatus
-    from OCP.IGESControl import IGESControl_Reader
-    from OCP.STEPControl import STEPControl_Reader
-    from OCP.TopAbs import TopAbs_ShapeEnum
-    from OCP.TopExp import TopExp_Explorer
-    from OCP.TopoDS import TopoDS
-
-    reader = STEPControl_Reader() if path.suffix == ".step" else IGESControl_Reader()
-    assert reader.ReadFile(str(path)) == IFSelect_ReturnStatus.IFSelect_RetDone
-    assert reader.TransferRoots() == 1
-    shape = reader.OneShape()
-    explorer, faces = TopExp_Explorer(shape, TopAbs_ShapeEnum.TopAbs_FACE), []
-    while explorer.More():
-        faces.append(explorer.Current())
-        explorer.Next()
-    (face,) = faces
-    face = TopoDS.Face(face)
-    properties = GProp_GProps()
-    BRepGProp.SurfaceProperties_s(face, properties, 1e-7)
-    return Face(BRepCheck_Analyzer(shape).IsValid(), BRep_Tool.Surface_s(face), properties.Mass(), face)
-
-
-def area(patch):
-    """Return the area by Gauss-Legendre quadrature on 20 x 20 pieces."""
-    nodes, weights = np.polynomial.legendre.leggauss(8)
-    starts = np.arange(20) / 20
-    t = (starts[:, None] + (nodes + 1) / 40).ravel()
-    w = np.tile(weights / 40, 20)
-    normals = np.cross(patch.derivative(t, t, 1, 0), patch.derivative(t, t, 0, 1))
-    return float(w @ np.linalg.norm(normals, axis=-1) @ w)
+def read_one(path):
+    model = read(path)
+    assert model.is_valid
+    assert model.roots == 1
+    (face,) = model.faces
+    return face
 
 
 def check(document, path, degree):
     surface = configure(document)
     format_for(path).write(surface, path, silent)
-    face = read(path)
+    face = read_one(path)
     parameters, points, extent = at_random(surface.patch)
-    assert face.is_valid
     assert (face.surface.UDegree(), face.surface.VDegree()) == degree
-    assert np.abs(face.points(parameters) - points).max() <= EXACT * extent
+    assert np.abs(face(parameters) - points).max() <= EXACT * extent
     assert face.area == pytest.approx(area(surface.patch), rel=AREA)
 
 
@@ -125,9 +83,8 @@ def test_units_are_understood(suffix, unit, millimetres, tmp_path):
     path = tmp_path / f"a{suffix}"
     format_for(path).write(surface, path, silent, ExportOptions(unit=unit))
     parameters, points, extent = at_random(surface.patch, 50)
-    face = read(path)
-    assert face.is_valid
-    assert np.abs(face.points(parameters) / millimetres - points).max() <= EXACT * extent
+    face = read_one(path)
+    assert np.abs(face(parameters) / millimetres - points).max() <= EXACT * extent
 
 
 def overlapping(seed):
@@ -149,8 +106,7 @@ def test_corners_at_one_place_and_nets_that_overlap_themselves(layer, document, 
     surface = configure(document)
     path = tmp_path / "a.step"
     format_for(path).write(surface, path, silent, ExportOptions(layer))
-    face, patch = read(path), surface.layer_patch(layer)
-    assert face.is_valid
+    face, patch = read_one(path), surface.layer_patch(layer)
     assert mesh_area(face, at_random(patch, 50)[2]) == pytest.approx(area(patch), rel=MESH_AREA)
 
 

@@ -30,7 +30,7 @@ def number(text):
 
 
 class IgesFile:
-    """The sections of a file and its one entity."""
+    """The sections of a file and its entities."""
 
     def __init__(self, path):
         lines = path.read_bytes().decode("ascii").split("\n")
@@ -46,26 +46,45 @@ class IgesFile:
         assert [(name, int(count)) for name, count in counts] == [(name, len(self.sections[name])) for name in "SGDP"]
         self.start = "".join(self.sections["S"])
         self.globals = fields("".join(self.sections["G"]))
-        first, second = ([line[k : k + 8].strip() for k in range(0, 72, 8)] for line in self.sections["D"])
-        assert first[0] == second[0] == "128"
-        assert int(first[1]) == 1
-        assert int(second[3]) == len(self.sections["P"])
-        assert re.fullmatch(r"\d{8}", first[8])
-        for line in self.sections["P"]:
-            assert line[64] == " "
-            assert int(line[65:]) == 1
-        self.parameters = fields("".join(line[:64] for line in self.sections["P"]))
+        directory = [[line[k : k + 8].strip() for k in range(0, 72, 8)] for line in self.sections["D"]]
+        self.entities, end = [], 0
+        for entry, (first, second) in enumerate(zip(directory[::2], directory[1::2], strict=True)):
+            assert first[0] == second[0] == "128"
+            assert int(first[1]) == end + 1
+            assert re.fullmatch(r"\d{8}", first[8])
+            start, end = end, end + int(second[3])
+            lines = self.sections["P"][start:end]
+            assert {line[64:] for line in lines} == {f"{2 * entry + 1:>8}"}
+            self.entities.append(fields("".join(line[:64] for line in lines)))
+        assert end == len(self.sections["P"])
 
     def surface(self):
-        """Return the degrees, the closed flags and a function of the surface."""
-        kind, k1, k2, p, q, closed_u, closed_v, polynomial, *_ = map(int, self.parameters[:10])
-        assert (kind, polynomial) == (128, 1)
+        """Return the degrees, the closed flags and a function of the one surface."""
+        (surface,) = self.surfaces()
+        return surface.degree, surface.closed, surface
+
+    def surfaces(self):
+        """Return all surfaces."""
+        return [SplineSurface(parameters) for parameters in self.entities]
+
+
+class SplineSurface:
+    """Entity 128, called with parameters (k, 2)."""
+
+    def __init__(self, parameters):
+        kind, k1, k2, p, q, closed_u, closed_v, polynomial, *periodic = map(int, parameters[:10])
+        assert (kind, polynomial, periodic) == (128, 1, [0, 0])
         n, m = k1 + 1, k2 + 1
-        reals = [number(text) for text in self.parameters[10:]]
+        reals = [number(text) for text in parameters[10:]]
         lengths = (n + p + 1, m + q + 1, n * m, 3 * n * m, 4)
         assert len(reals) == sum(lengths)
         knots_u, knots_v, weights, coordinates, domain = np.split(np.array(reals), np.cumsum(lengths)[:-1])
         assert (weights == 1).all()
-        assert domain.tolist() == [0, 1, 0, 1]
+        assert domain.tolist() == [knots_u[0], knots_u[-1], knots_v[0], knots_v[-1]]
         points = coordinates.reshape(m, n, 3).transpose(1, 0, 2)
-        return (p, q), (bool(closed_u), bool(closed_v)), NdBSpline((knots_u, knots_v), points, k=(p, q))
+        self.degree, self.closed = (p, q), (bool(closed_u), bool(closed_v))
+        self.domain = tuple(domain[:2]), tuple(domain[2:])
+        self._spline = NdBSpline((knots_u, knots_v), points, k=(p, q))
+
+    def __call__(self, parameters):
+        return self._spline(parameters)

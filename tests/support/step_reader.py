@@ -83,6 +83,28 @@ class _Parser:
         return {name: self.arguments()}
 
 
+class SplineSurface:
+    """A B-spline surface, called with parameters (k, 2)."""
+
+    def __init__(self, file, arguments):
+        _, p, q, rows, _, self.closed_u, self.closed_v, _, count_u, count_v, knots_u, knots_v, _ = arguments
+        points = np.array([[file.coordinates(point) for point in row] for row in rows])
+        knots = tuple(np.repeat(values, counts) for values, counts in ((knots_u, count_u), (knots_v, count_v)))
+        assert [len(k) for k in knots] == [points.shape[0] + p + 1, points.shape[1] + q + 1]
+        self.degree, self.multiplicities = (p, q), (count_u, count_v)
+        self.domain = (knots_u[0], knots_u[-1]), (knots_v[0], knots_v[-1])
+        self._spline = NdBSpline(knots, points, k=(p, q))
+
+    def __call__(self, parameters):
+        return self._spline(parameters)
+
+
+def _run(spline, knots, is_forward):
+    """Return a curve as a function of 0..1, in its own direction or against it."""
+    start, end = (knots[0], knots[-1]) if is_forward else (knots[-1], knots[0])
+    return lambda t: spline(start + (end - start) * np.asarray(t))
+
+
 class StepFile:
     """The header and the entities of a file; every reference is known to lead somewhere."""
 
@@ -140,15 +162,19 @@ class StepFile:
 
     def surface(self):
         """Return the degrees and a function of the one B-spline surface."""
-        _, p, q, rows, _, _, _, _, count_u, count_v, knots_u, knots_v, _ = self.one("B_SPLINE_SURFACE_WITH_KNOTS")
-        points = np.array([[self.coordinates(point) for point in row] for row in rows])
-        knots = tuple(np.repeat(values, counts) for values, counts in ((knots_u, count_u), (knots_v, count_v)))
-        assert [len(k) for k in knots] == [points.shape[0] + p + 1, points.shape[1] + q + 1]
-        return (p, q), NdBSpline(knots, points, k=(p, q))
+        (surface,) = self.surfaces()
+        return surface.degree, surface
+
+    def surfaces(self):
+        """Return all B-spline surfaces."""
+        return [SplineSurface(self, arguments) for arguments in self.all("B_SPLINE_SURFACE_WITH_KNOTS")]
 
     def boundary(self):
-        """Return the curves of the face's loop in its order, each a function of 0..1 in the loop's direction."""
-        face = self.one("ADVANCED_FACE")
+        """Return the curves around the one face; see ``boundary_of``."""
+        return self.boundary_of(self.one("ADVANCED_FACE"))
+
+    def boundary_of(self, face):
+        """Return the curves of a face's loop in its order, each a function of 0..1 in the loop's direction."""
         (bound,) = face[1]
         _, loop = self.of(self.of(bound)[1][1])
         curves = []
@@ -157,18 +183,29 @@ class StepFile:
             _, (_, start, end, curve, same) = self.of(edge)
             assert same == ".T."
             kind, (_, in_space, in_plane, _) = self.of(curve)
-            assert (kind, len(in_plane)) in (("SURFACE_CURVE", 1), ("SEAM_CURVE", 2))
+            surfaces = [self.of(line)[1][1].number for line in in_plane]
+            assert face[2].number in surfaces
+            assert len(surfaces) <= 2
+            assert kind == ("SEAM_CURVE" if len(set(surfaces)) < len(surfaces) else "SURFACE_CURVE")
             _, (_, degree, points, _, _, _, counts, knots, _) = self.of(in_space)
             spline = BSpline(np.repeat(knots, counts), np.array([self.coordinates(p) for p in points]), degree)
             within = 1e-8 * np.abs(spline.c).max()
-            for vertex, t in ((start, 0.0), (end, 1.0)):
+            for vertex, t in ((start, knots[0]), (end, knots[-1])):
                 place = self.coordinates(self.of(vertex)[1][1])
                 assert np.allclose(spline(t), place, rtol=0, atol=within)
-            for line in map(self.parameter_line, in_plane):
-                t = np.linspace(0, 1, 21)
-                assert np.allclose(self.surface()[1](line(t)), spline(t), rtol=0, atol=within)
-            curves.append(spline if sense == ".T." else lambda t, spline=spline: spline(1 - t))
+            for reference, surface in zip(in_plane, surfaces, strict=True):
+                t = np.linspace(knots[0], knots[-1], 21)
+                of_surface = SplineSurface(self, self.entities[surface]["B_SPLINE_SURFACE_WITH_KNOTS"])
+                assert np.allclose(of_surface(self.parameter_line(reference)(t)), spline(t), rtol=0, atol=within)
+            curves.append(_run(spline, knots, sense == ".T."))
         return curves
+
+    def edge_uses(self):
+        """Return for every edge the senses in which the faces' loops run along it."""
+        uses = {}
+        for _, _, _, edge, sense in self.all("ORIENTED_EDGE"):
+            uses.setdefault(edge.number, []).append(sense)
+        return uses
 
     def pcurves(self):
         """Return the references to all lines in the parameters."""
