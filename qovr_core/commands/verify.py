@@ -9,7 +9,7 @@ from itertools import count
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from qovr_core.commands.common import DONE, SOURCE_HELP, finite, path, print_json, progress_bar
+from qovr_core.commands.common import DONE, SOURCE_HELP, add_window, finite, path, print_json, progress_bar
 from qovr_core.document import Document
 from qovr_core.files import read_source, write_document
 from qovr_core.files.atomic import made_folder
@@ -17,6 +17,7 @@ from qovr_core.files.qovr_document import document_to_json
 from qovr_core.formulations import FORMULATIONS
 
 if TYPE_CHECKING:
+    from qovr_core.laboratory.jumps import JointPlace
     from qovr_core.laboratory.verify import Finding
 
 
@@ -29,6 +30,7 @@ def add_command(commands: Any) -> None:
     command.add_argument(
         "--counterexamples", metavar="DIR", type=path, help="write counterexamples and examples as .qovr files"
     )
+    add_window(command, "the window of a net for claims that do not speak of joints (default: 0,0)", (0, 0))
     command.set_defaults(command=_verify)
 
 
@@ -39,14 +41,22 @@ def _verify(arguments: argparse.Namespace) -> int:
 
     document, decided, known = read_source(arguments.source), len(CLAIMS) * len(FORMULATIONS), count(1)
     with progress_bar("verify") as progress:
-        findings = verify(document, lambda _finding: progress(next(known) / decided))
+        findings = verify(document, arguments.window, lambda _finding: progress(next(known) / decided))
+    is_net = document.windows != (1, 1)
     if arguments.counterexamples is not None:
         _write_documents(findings, arguments.counterexamples)
     if arguments.json:
-        print_json({"source": arguments.source, "claims": _claims_json(findings)})
+        about = {"window": arguments.window} if is_net else {}
+        print_json({"source": arguments.source, **about, "claims": _claims_json(findings)})
     elif arguments.markdown:
         print(findings_markdown(findings))
     else:
+        if is_net:
+            print(
+                "Claims about neighbours are measured at every joint of the net, others on window ({}, {}).\n".format(
+                    *arguments.window
+                )
+            )
         print(findings_text(findings))
     return DONE
 
@@ -88,9 +98,17 @@ def _finding_json(finding: Finding) -> dict[str, Any]:
         "largest": finite(finding.largest),
         "what": finding.here.what,
         "note": finding.here.note or None,
+        **_place_json(finding.here.place),
         "counterexample": _document_json(finding.counterexample),
         "example": _document_json(finding.example),
     }
+
+
+def _place_json(place: JointPlace | None) -> dict[str, Any]:
+    """Return the joint of a net at which the difference is largest."""
+    if place is None:
+        return {}
+    return {"place": {"text": str(place), "window": place.window, "parameters": place.parameters}}
 
 
 def _document_json(document: Document | None) -> object:

@@ -33,6 +33,7 @@ class Claim(Record):
     examples : documents made from one that are tried too, such as meet the condition and such as do not
     is_general : whether it speaks of all surfaces; if not, it is decided by the document alone
     proofs : by formulation, why it is true, under its condition if it has one
+    is_of_joints : whether it is measured at all joints of a net, and not on one window of it
     """
 
     name: str
@@ -44,6 +45,7 @@ class Claim(Record):
     examples: Callable[[Document], Sequence[Document]] = _no_examples
     is_general: bool = True
     proofs: Proofs = field(default_factory=dict)
+    is_of_joints: bool = False
 
     table: ClassVar[Registry[Claim]]
 
@@ -95,7 +97,14 @@ for _claim in (
         "(55), (57)",
         curve_claims.curvatures,
     ),
-    Claim("C0", "neighbouring patches meet without a gap", "Lemma 1, (45)", joint_claims.c0, proofs=proofs.C0),
+    Claim(
+        "C0",
+        "neighbouring patches meet without a gap",
+        "Lemma 1, (45)",
+        joint_claims.c0,
+        proofs=proofs.C0,
+        is_of_joints=True,
+    ),
     Claim(
         "C1",
         "the tangents of neighbouring patches agree across the joint",
@@ -104,6 +113,17 @@ for _claim in (
         condition=joint_claims.KNOTS_CROSS_ALIKE,
         examples=joint_claims.crossing_examples,
         proofs=proofs.C1,
+        is_of_joints=True,
+    ),
+    Claim(
+        "G1",
+        "the tangent planes of neighbouring patches agree across the joint",
+        "Lemma 2, (52)-(54)",
+        joint_claims.g1,
+        condition=joint_claims.JOINTS_ARE_SMOOTH,
+        examples=joint_claims.smooth_examples,
+        proofs=proofs.G1,
+        is_of_joints=True,
     ),
     Claim(
         "C2",
@@ -111,6 +131,7 @@ for _claim in (
         "Theorem 1, (60)",
         joint_claims.c2,
         proofs=proofs.C2,
+        is_of_joints=True,
     ),
     Claim(
         "edges",

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 
 import numpy as np
 
 from qovr_core.arrays import Array
 from qovr_core.document import Document
-from qovr_core.edits import set_all_knots, set_points
-from qovr_core.geometry.knots import Knots, KnotTable
+from qovr_core.edits import extract_window, knots_of, set_all_knots, set_points
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, Knots, KnotTable
+from qovr_core.joints import can_be_smooth
+from qovr_core.laboratory.jumps import Jump, Jumps, jumps
 from qovr_core.laboratory.measurement import Condition, Measurement
-from qovr_core.laboratory.neighbours import Continuation, joints
+from qovr_core.laboratory.neighbours import Continuation, continued, document_sides
 
 _POSITION, _TANGENT, _CURVATURE = 0, 1, 2
 
@@ -21,36 +24,83 @@ SAME_CROSSING = 1e-12
 _EVEN_MIDDLES = (0.4, 0.6)
 """u_ip of the first and the last of curves that cross a joint alike and are different from each other."""
 
+_SMOOTH = Knots(r=0.4, s=0.5, u=0.55, t=0.4)
+"""Knots whose joints are smooth and for which lambda is not 1."""
+
+_R, _S, _U, _T = (KNOT_NAMES.index(name) for name in "rsut")
+
+_REMEMBERED = 16
+"""The claims about joints ask for the same: what jumps in one document and its examples, under three formulations."""
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def joint_jumps(document: Document) -> Jumps:
+    """Return what jumps at the joints of a net, or at those of one window with neighbours whose points are drawn.
+
+    Raises
+    ------
+    EvaluationError : there is no finite surface
+    """
+    return jumps(document_sides(document))
+
 
 def c0(document: Document) -> Measurement:
     """Neighbours meet, Lemma 1, (45)."""
-    return _worst_jump(document, _POSITION, "largest gap between neighbours as part of the surface's size")
+    gap = joint_jumps(document).by_order[_POSITION]
+    return _measured(document, gap, "largest gap between neighbours as part of the surface's size")
 
 
 def c1(document: Document) -> Measurement:
     """The cross derivatives of neighbours are the same, Lemma 2, (50)."""
-    return _worst_jump(document, _TANGENT, "largest jump of the cross derivative as part of the surface's size")
+    found = joint_jumps(document)
+    what = "largest jump of the cross derivative as part of the surface's size"
+    measured = _measured(document, found.by_order[_TANGENT], what)
+    if _is_single(document):
+        return measured
+    in_net = "no jump" if found.in_net.is_rounding else f"{found.in_net.value:.2g}"
+    note = f"in the net's own parameter {in_net}"
+    return replace(measured, note="; ".join(filter(None, (measured.note, note))))
 
 
-def _worst_jump(document: Document, order: int, what: str) -> Measurement:
-    """Measure a jump across both joints, the larger net drawn."""
-    of_joints = [(joint.jumps()[order], joint) for joint in joints(document, Continuation.DRAWN)]
-    worst, where = max(of_joints, key=lambda entry: entry[0].part)
-    note = "" if worst.is_rounding else f"largest across {where.across} = 1"
-    return Measurement(worst.part, what, all(jump.is_rounding for jump, _ in of_joints), note)
+def g1(document: Document) -> Measurement:
+    """The tangent planes of neighbours are the same, Lemma 2, (52)-(54)."""
+    found = joint_jumps(document)
+    what = "largest angle between the tangent planes of neighbours in degrees"
+    measured = _measured(document, found.planes, what)
+    return replace(measured, holds=measured.holds and found.by_order[_POSITION].is_rounding)
+
+
+def _measured(document: Document, jump: Jump, what: str) -> Measurement:
+    """Return what a jump comes to, and where it is largest."""
+    note = "" if jump.is_rounding else f"largest {_place(document, jump)}"
+    place = None if _is_single(document) else jump.place
+    return Measurement(jump.value, what, jump.is_rounding, note, place=place)
+
+
+def _place(document: Document, jump: Jump) -> str:
+    return f"across {jump.place.across.parameter} = 1" if _is_single(document) else f"at the {jump.place}"
+
+
+def _is_single(document: Document) -> bool:
+    return document.windows == (1, 1)
 
 
 def _crosses_alike(document: Document) -> bool:
     """Whether every knot vector meets its neighbour's, and the knots of one direction do not differ."""
-    families = document.row_knots, document.column_knots
-    alike = all(_is_even(family[curve, 0]) for family in families for curve in range(len(family)))
-    return alike and any(bool((family.array == family.array[0]).all()) for family in families)
+    families = [family.array for family in (document.row_knots, document.column_knots)]
+    alike = all(_are_even(knots) and _do_not_differ(knots[..., [_R, _U, _T]], axis=1) for knots in families)
+    return alike and any(_do_not_differ(knots, axis=0) for knots in families)
 
 
-def _is_even(knots: Knots) -> bool:
-    """Whether t_ip = r_ip and t_ip / (1 - u_ip) = (1 - r_ip) / u_ip, the neighbour's knots being the same."""
-    left, right = knots.t / (1 - knots.u), (1 - knots.r) / knots.u
-    return abs(knots.t - knots.r) <= SAME_CROSSING and abs(left - right) <= SAME_CROSSING
+def _do_not_differ(knots: Array, axis: int) -> bool:
+    return bool((knots == knots.take([0], axis=axis)).all())
+
+
+def _are_even(knots: Array) -> bool:
+    """Whether t_ip = r_ip and t_ip / (1 - u_ip) = (1 - r_ip) / u_ip in every window of every curve."""
+    r, u, t = (knots[..., k] for k in (_R, _U, _T))
+    apart = np.maximum(np.abs(t - r), np.abs(t / (1 - u) - (1 - r) / u))
+    return bool((apart <= SAME_CROSSING).all())
 
 
 def crossing_examples(document: Document) -> tuple[Document, ...]:
@@ -83,31 +133,62 @@ KNOTS_CROSS_ALIKE = Condition(
 )
 
 
+def _all_smooth(document: Document) -> bool:
+    """Whether every joint can be smooth; the neighbours of one window have its knots, as if it were closed."""
+    return all(
+        can_be_smooth(knots_of(document, direction), _is_single(document) or document.is_closed(direction)).all()
+        for direction in Direction
+    )
+
+
+def smooth_examples(document: Document) -> tuple[Document, ...]:
+    """Return the document with 0.5 knots, and with smooth joints between windows of different shape and free s."""
+    smooth = set_all_knots(document, _SMOOTH)
+    rows = smooth.row_knots.array.copy()
+    rows[..., _S] = np.linspace(*_EVEN_MIDDLES, len(rows))[:, None]
+    return set_all_knots(document, Knots()), replace(smooth, row_knots=KnotTable(rows))
+
+
+JOINTS_ARE_SMOOTH = Condition(
+    "at every joint t_ip before it and r_ip after it are one number on all curves that cross it, and so is u_ip (v_ip) "
+    "on either side; 0.5 everywhere meets it",
+    _all_smooth,
+)
+
+
 def c2(document: Document) -> Measurement:
     """The second cross derivatives of neighbours are not the same, Theorem 1, (60)."""
+    found = joint_jumps(document)
+    jump = found.by_order[_CURVATURE]
     what = "largest jump of the second cross derivative as part of the surface's size"
-    measured = _worst_jump(document, _CURVATURE, what)
-    jumps = [jump for joint in joints(document, Continuation.DRAWN) for jump in joint.jumps()]
     smooth = _smooth_net(document)
     note = "none of the nets tried continues without a jump"
     if smooth is document:
-        note = "yet this net, continued by reflection, has none"
+        note = (
+            "yet this net has none" if not _is_single(document) else "yet this net, continued by reflection, has none"
+        )
     elif smooth is not None:
         note = "yet nets exist that have none: points affine in (i, j), 0.5 knots, continued by reflection"
-    return Measurement(measured.value, what, not all(jump.is_rounding for jump in jumps), note, example=smooth)
+    measured = replace(_measured(document, jump, what), holds=not found.are_rounding, example=smooth)
+    where = measured.note if measured.place is not None else ""
+    return replace(measured, note="; ".join(filter(None, (where, note))))
 
 
 def _smooth_net(document: Document) -> Document | None:
-    """Return a document that reflection continues without any jump up to the second derivative, if one is found.
+    """Return a document without any jump up to the second derivative, if one is found.
 
-    Tried are the document itself and the net affine in (i, j) that is nearest to its own, with 0.5 knots.
+    Tried are the document itself and the net affine in (i, j) that is nearest to its first window's, with 0.5 knots.
+    One window is continued by reflection.
     """
-    affine = set_all_knots(set_points(document, _affine_net(document.control_points)), Knots())
-    return next((tried for tried in (document, affine) if _is_smooth(tried)), None)
+    first = extract_window(document, (0, 0))
+    affine = set_all_knots(set_points(first, _affine_net(first.control_points)), Knots())
+    return next((tried for tried in (document, affine) if _has_no_jump(tried)), None)
 
 
-def _is_smooth(document: Document) -> bool:
-    return all(jump.is_rounding for joint in joints(document, Continuation.REFLECTED) for jump in joint.jumps())
+def _has_no_jump(document: Document) -> bool:
+    if not _is_single(document):
+        return joint_jumps(document).are_rounding
+    return jumps([neighbours.sides() for neighbours in continued(document, Continuation.REFLECTED)]).are_rounding
 
 
 def _affine_net(net: Array) -> Array:

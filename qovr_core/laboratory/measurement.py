@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 
 from qovr_core.document import Document
+from qovr_core.laboratory.jumps import JointPlace
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,6 +21,7 @@ class Measurement:
     note : what else was found, as the weight rows that take the place of the paper's
     parts : for a claim about the knots of single curves, each curve with an effect and whether it keeps the claim
     example : a document that shows what the note says
+    place : on a net of several windows, where the joint is whose difference is largest
     """
 
     value: float
@@ -28,6 +30,7 @@ class Measurement:
     note: str = ""
     parts: Mapping[str, bool] = field(default_factory=dict)
     example: Document | None = None
+    place: JointPlace | None = None
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""Two patches of one larger net, joined as the paper joins them (Lemmas 1 and 2, Theorem 1)."""
+"""The patches on both sides of joints: those of a net, or of one window and of its continuation (Lemmas 1 and 2)."""
 
 from __future__ import annotations
 
@@ -8,34 +8,19 @@ from enum import StrEnum
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import build_patch, surface_rounding
+from qovr_core.construction import build_patch, document_arrays
 from qovr_core.document import Document
-from qovr_core.geometry import bernstein
-from qovr_core.geometry.knots import KnotTable
-from qovr_core.geometry.patch import PATCH_DEGREE
-from qovr_core.geometry.rounding import part_of
+from qovr_core.edits import knots_of
+from qovr_core.geometry.knots import Direction, KnotTable
+from qovr_core.geometry.patch import Patch
+from qovr_core.geometry.windows import STEP
+from qovr_core.joints import joint_count, window_lengths
 
 CONTINUATION_SEED = 7
 """The two further columns (rows) of the larger net are drawn from this seed."""
 
-_SHIFT = 2
-"""Neighbours share three columns (rows): the second begins two further on."""
-
 _DRAWN = 0.25
 """Drawn points leave the affine continuation by up to this part of the net's longest side."""
-
-_ORDERS = 3
-"""Position, first and second cross derivative."""
-
-_ALONG = np.linspace(0, 1, 41)
-"""Where along a joint its sides are compared."""
-
-
-class Across(StrEnum):
-    """The direction in which the neighbour lies."""
-
-    U = "u"
-    V = "v"
 
 
 class Continuation(StrEnum):
@@ -46,62 +31,90 @@ class Continuation(StrEnum):
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
-    """Two neighbours, joined at the first's 1 and the second's 0.
+class Sides:
+    """What meets at the joints that the curves of one direction cross.
 
     Parameters
     ----------
-    across : the parameter that crosses the joint
-    first, second : documents on the larger net's first and last columns (``u``) or rows (``v``); the curves
-        they share keep their knots
+    across : that direction
+    windows : how many windows there are along it
+    before, after : (joints, windows, 7, 7, 3) patches that end and that begin there, the crossing parameter first;
+        windows are counted along the joint
+    noise : (joints, windows, 3) up to what size a difference of their coefficients is no more than rounding
+    lengths : (joints, 2) of the windows before and after along that direction
     """
 
-    across: Across
+    across: Direction
+    windows: int
+    before: Array
+    after: Array
+    noise: Array
+    lengths: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Neighbours:
+    """Two documents of one window, joined at the first's 1 and the second's 0.
+
+    Parameters
+    ----------
+    across : the direction in which the second lies
+    first, second : documents on the larger net's first and last columns (along the rows) or rows; the curves they share
+        keep their knots
+    """
+
+    across: Direction
     first: Document
     second: Document
 
-    def jumps(self) -> tuple[Jump, ...]:
-        """Return how position, first and second cross derivative jump, from the exact patches.
+    def sides(self) -> Sides:
+        """Return what meets at their joint.
 
         Raises
         ------
         EvaluationError : a neighbour has no finite surface
         """
-        first, second = (self._crossing(document) for document in (self.first, self.second))
-        size = max(float(np.ptp(patch, axis=(0, 1)).max()) for patch in (first, second))
-        noise = surface_rounding(self.first) + surface_rounding(self.second)
-        jumps = []
-        for _ in range(_ORDERS):
-            difference = bernstein.basis(PATCH_DEGREE, _ALONG) @ (first[-1] - second[0])
-            distance = float(np.linalg.norm(difference, axis=-1).max())
-            jumps.append(Jump(part_of(distance, size), bool((np.abs(difference) <= noise).all())))
-            noise = noise * 2 * (len(first) - 1)  # a derivative is so often a difference of two coefficients
-            first, second = bernstein.derivative(first, 0), bernstein.derivative(second, 0)
-        return tuple(jumps)
-
-    def _crossing(self, document: Document) -> Array:
-        """Return the document's patch as coefficients (7, 7, 3) with the crossing parameter first."""
-        coefficients: Array = build_patch(document).coefficients[0, 0]
-        return coefficients if self.across is Across.U else coefficients.swapaxes(0, 1)
+        (before, own), (after, others) = (_crossing(*_surface(each), self.across) for each in (self.first, self.second))
+        return Sides(self.across, 2, before, after, own + others, np.ones((1, 2)))
 
 
-@dataclass(frozen=True)
-class Jump:
-    """How far two neighbours differ along their joint.
+def document_sides(document: Document) -> tuple[Sides, ...]:
+    """Return what meets at every joint of a net; of one window, at the two that it would have if it were continued.
 
-    Parameters
-    ----------
-    part : the largest difference as part of the size of the larger patch (per unit of the parameter for
-        derivatives)
-    is_rounding : whether it is no more than rounding
+    Raises
+    ------
+    DocumentError : a net of one window is so large that its continuation would be no document
+    EvaluationError : there is no finite surface
     """
+    if document.windows == (1, 1):
+        return tuple(neighbours.sides() for neighbours in continued(document, Continuation.DRAWN))
+    patch, rounding = _surface(document)
+    sides = []
+    for direction in Direction:
+        patches, noise = _crossing(patch, rounding, direction)
+        along = window_lengths(knots_of(document, direction), document.joints.along(direction))
+        count = joint_count(len(patches), document.is_closed(direction))
+        if count:
+            after, more, others = (np.roll(array, -1, axis=0)[:count] for array in (patches, noise, along))
+            own = np.stack([along[:count], others], axis=1)
+            sides.append(Sides(direction, len(patches), patches[:count], after, noise[:count] + more, own))
+    return tuple(sides)
 
-    part: float
-    is_rounding: bool
+
+def _surface(document: Document) -> tuple[Patch, Array]:
+    """Return a document's surface, and what is rounding in each of its windows, (m, n, 3)."""
+    return build_patch(document), document.formulation.rounding(*document_arrays(document))
 
 
-def joints(document: Document, continuation: Continuation) -> tuple[Joint, Joint]:
-    """Return the document joined with its neighbour across u = 1 and with that across v = 1.
+def _crossing(patch: Patch, rounding: Array, direction: Direction) -> tuple[Array, Array]:
+    """Return the patches of all windows, (windows across, windows along, 7, 7, 3), and their rounding, (..., 3)."""
+    if direction is Direction.COLUMNS:
+        return patch.coefficients.swapaxes(2, 3), rounding
+    return patch.coefficients.swapaxes(0, 1), rounding.swapaxes(0, 1)
+
+
+def continued(document: Document, continuation: Continuation) -> tuple[Neighbours, Neighbours]:
+    """Return a document of one window joined with its neighbour across u = 1 and with that across v = 1.
 
     The neighbour across u takes the row knots of the document, the column knots of its K_2, K_3, K_4 for its K_0,
     K_1, K_2, and those of K_3 and K_4 for its new curves; across v likewise.
@@ -112,13 +125,14 @@ def joints(document: Document, continuation: Continuation) -> tuple[Joint, Joint
     """
     net = document.control_points
     rows, columns = (
-        KnotTable(np.concatenate([knots.array[_SHIFT:], knots.array[-_SHIFT:]]))
+        KnotTable(np.concatenate([knots.array[STEP:], knots.array[-STEP:]]))
         for knots in (document.row_knots, document.column_knots)
     )
     across_u = _continued(net.swapaxes(0, 1), continuation).swapaxes(0, 1)
+    across_v = _continued(net, continuation)
     return (
-        Joint(Across.U, document, replace(document, control_points=across_u, column_knots=columns)),
-        Joint(Across.V, document, replace(document, control_points=_continued(net, continuation), row_knots=rows)),
+        Neighbours(Direction.ROWS, document, replace(document, control_points=across_u, column_knots=columns)),
+        Neighbours(Direction.COLUMNS, document, replace(document, control_points=across_v, row_knots=rows)),
     )
 
 
@@ -129,4 +143,4 @@ def _continued(net: Array, continuation: Continuation) -> Array:
         rng = np.random.default_rng(CONTINUATION_SEED)
         extent = np.ptp(net, axis=(0, 1)).max() or 1.0
         beyond = beyond + _DRAWN * extent * rng.uniform(-1, 1, beyond.shape)
-    return np.concatenate([net[_SHIFT:], beyond])
+    return np.concatenate([net[STEP:], beyond])

@@ -83,6 +83,13 @@ C1: Proofs = {
     )
 }
 
+G1: Proofs = {
+    _INTERPOLATING: Proof(
+        "the cross derivatives on both sides differ by one factor lambda, the same along the whole joint",
+        (*_EDGES_ARE_CURVES, *_TANGENTS),
+    )
+}
+
 _JUMPS = "S_uu at 1 has the weight 2 (1 - r)^2 (1 - u) / (u^2 r) > 0 of a point that the neighbour has not, so that, \
 whatever the knots, almost every net jumps"
 

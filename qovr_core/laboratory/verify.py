@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
 from qovr_core.construction import build_patch, overflow_error
-from qovr_core.document import Document
+from qovr_core.document import Document, Window
+from qovr_core.edits import extract_window
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.rounding import largest
 from qovr_core.laboratory.claims import CLAIMS, Claim
@@ -21,6 +22,10 @@ from qovr_core.laboratory.trials import random_documents
 _LARGEST = 1e90
 """Coordinates beyond this, of a net of size 1, come of knots that no longer shape a curve. What claims measure is made
 of up to three of them, and no verdict is to hang on what has overflown."""
+
+
+_REMEMBERED = 8
+"""Every claim asks how far the same surfaces reach: a net and one of its windows, under three formulations."""
 
 
 class Verdict(StrEnum):
@@ -91,13 +96,16 @@ class _Trial:
     shown: Document
 
 
-def verify(document: Document, report: Callable[[Finding], object] = lambda _finding: None) -> tuple[Finding, ...]:
+def verify(
+    document: Document, window: Window = (0, 0), report: Callable[[Finding], object] = lambda _finding: None
+) -> tuple[Finding, ...]:
     """Decide every claim for every formulation, and measure it on a document.
 
     The document's own formulation does not matter: it is looked at under each.
 
     Parameters
     ----------
+    window : (a, b), the window of a net on which claims are measured that do not speak of joints
     report : called with each finding as soon as it is known; what it raises ends the work
 
     Returns
@@ -106,42 +114,52 @@ def verify(document: Document, report: Callable[[Finding], object] = lambda _fin
 
     Raises
     ------
+    DocumentError : the net has no such window
     EvaluationError : the document has no finite surface under some formulation
     """
     findings = []
     for claim in CLAIMS.values():
         for formulation in FORMULATIONS.values():
-            findings.append(decide(claim, document, formulation))
+            findings.append(decide(claim, document, formulation, window))
             report(findings[-1])
     return tuple(findings)
 
 
 @np.errstate(all="ignore")  # what overflows is not finite, and no claim holds there; what underflows is nothing
-def decide(claim: Claim, document: Document, formulation: Formulation) -> Finding:
+def decide(claim: Claim, document: Document, formulation: Formulation, window: Window = (0, 0)) -> Finding:
     """Decide a claim for a formulation, and measure it on a document.
 
-    The trials are the document under that formulation, the claim's examples made from it, random documents from a
-    stated seed, and the examples made from the first of these. A claim that holds on all of them is true. If it
-    holds on all that meet its condition, some do, and one that does not meet it fails, it is true under that
-    condition. Else it is false, and the first trial on which it fails is the counterexample. What is true and has a
-    proof that holds is proved.
+    A claim about joints is measured on the whole net, any other on its window (a, b). The trials are that under the
+    formulation, the claim's examples made from the window, random documents from a stated seed, and the examples made
+    from the first of these. A claim that holds on all of them is true. If it holds on all that meet its condition, some
+    do, and one that does not meet it fails, it is true under that condition. Else it is false, and the first trial on
+    which it fails is the counterexample. What is true and has a proof that holds is proved.
 
     Raises
     ------
+    DocumentError : the net has no such window
     EvaluationError : the document has no finite surface, or none that can be measured
     """
-    shown = replace(document, formulation=formulation)
+    whole = replace(document, formulation=formulation)
+    focus = extract_window(whole, window)
+    shown = whole if claim.is_of_joints else focus
     here, unit = document_in_own_unit(shown)
-    if largest(build_patch(here).coefficients) > _LARGEST:
+    if _reach(here) > _LARGEST:
         raise overflow_error(shown)
     measured = claim.measure(here)
     if measured.example is not None:
         measured = replace(measured, example=shown if measured.example is here else in_unit(measured.example, unit))
     trials = [_Trial(here, measured, shown)]
     if claim.is_general:
-        trials += [_Trial(made, claim.measure(made), in_unit(made, unit)) for made in claim.examples(here)]
+        made_from = here if shown is focus else replace(focus, control_points=focus.control_points / unit)
+        trials += [_Trial(made, claim.measure(made), in_unit(made, unit)) for made in claim.examples(made_from)]
         trials += _fixed_trials(claim, formulation)
     return _finding(claim, formulation, trials)
+
+
+@lru_cache(maxsize=_REMEMBERED)
+def _reach(document: Document) -> float:
+    return largest(build_patch(document).coefficients)
 
 
 def _fixed_trials(claim: Claim, formulation: Formulation) -> tuple[_Trial, ...]:

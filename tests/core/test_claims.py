@@ -15,8 +15,9 @@ from qovr_core.geometry.weights import weight_coefficients
 from qovr_core.laboratory import curve_claims, fairness, joint_claims, knot_claims, shape_claims
 from qovr_core.laboratory.claims import CLAIMS, Claim
 from qovr_core.laboratory.claims_report import findings_markdown, findings_text
+from qovr_core.laboratory.jumps import jumps
 from qovr_core.laboratory.measurement import Condition, Measurement
-from qovr_core.laboratory.neighbours import Across, Continuation, joints
+from qovr_core.laboratory.neighbours import Continuation, continued
 from qovr_core.laboratory.proofs import Proof
 from qovr_core.laboratory.splines import catmull_rom
 from qovr_core.laboratory.trials import SAMPLES
@@ -35,6 +36,7 @@ EXPECTED = {
     "curvatures": (FALSE, FALSE, FALSE),
     "C0": (TRUE, FALSE, FALSE),
     "C1": (TRUE_IF, FALSE, FALSE),
+    "G1": (TRUE_IF, FALSE, FALSE),
     "C2": (TRUE, TRUE, TRUE),
     "edges": (TRUE_IF, FALSE, FALSE),
     "edges'": (TRUE_IF, FALSE, FALSE),
@@ -61,6 +63,7 @@ def of_conditions():
     for name, made in (
         ("degree", curve_claims.degree_examples(document)),
         ("crossing", joint_claims.crossing_examples(document)),
+        ("smooth", joint_claims.smooth_examples(document)),
         ("symmetry", shape_claims.symmetry_examples(document)),
         ("box", knot_claims.box_examples(document)),
     ):
@@ -115,7 +118,7 @@ def test_the_verdicts_do_not_depend_on_the_net_s_size_or_place():
 
 def test_every_finding_is_reported_as_soon_as_it_is_known():
     told = []
-    findings = verify(random_document(5), told.append)
+    findings = verify(random_document(5), report=told.append)
     assert tuple(told) == findings
     assert [(finding.claim.name, finding.formulation.name) for finding in told] == list(product(CLAIMS, FORMULATIONS))
 
@@ -129,7 +132,7 @@ def test_what_the_report_raises_ends_the_work():
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
-        verify(random_document(5), cancel)
+        verify(random_document(5), report=cancel)
     assert len(told) == 2
 
 
@@ -264,10 +267,10 @@ def test_the_rows_at_the_ends_are_printed_as_found():
 @pytest.mark.parametrize("seed", range(5))
 def test_neighbours_meet_to_rounding_and_share_their_points_and_knots(seed):
     document = random_document(seed)
-    for joint in joints(document, Continuation.DRAWN):
+    for joint in continued(document, Continuation.DRAWN):
         first, second = joint.first, joint.second
         end, start = build_patch(first), build_patch(second)
-        if joint.across is Across.U:
+        if joint.across is Direction.ROWS:
             assert np.array_equal(second.control_points[:, :3], first.control_points[:, 2:])
             assert second.column_knots.in_window(0)[:3] == first.column_knots.in_window(0)[2:]
             gap = end.edge(Edge.U1)[0] - start.edge(Edge.U0)[0]
@@ -276,14 +279,14 @@ def test_neighbours_meet_to_rounding_and_share_their_points_and_knots(seed):
             assert second.row_knots.in_window(0)[:3] == first.row_knots.in_window(0)[2:]
             gap = end.edge(Edge.V1)[0] - start.edge(Edge.V0)[0]
         assert np.abs(gap).max() <= 1e-12 * np.abs(end.coefficients[0, 0]).max()
-        assert joint.jumps()[0].is_rounding
+        assert jumps([joint.sides()]).by_order[0].is_rounding
 
 
 def cross_derivatives(document, order, along):
     """Yield the cross derivative on both sides of both joints, of the exact patches."""
-    for joint in joints(document, Continuation.DRAWN):
+    for joint in continued(document, Continuation.DRAWN):
         first, second = build_patch(joint.first), build_patch(joint.second)
-        if joint.across is Across.U:
+        if joint.across is Direction.ROWS:
             yield first.derivative([1.0], along, order, 0)[0], second.derivative([0.0], along, order, 0)[0]
         else:
             yield first.derivative(along, [1.0], 0, order)[:, 0], second.derivative(along, [0.0], 0, order)[:, 0]
@@ -311,13 +314,13 @@ def test_the_jumps_are_those_of_the_exact_derivatives_and_of_differences():
     along, step = np.linspace(0, 1, 41), 1e-5
     size = max(
         np.ptp(build_patch(part).coefficients[0, 0], axis=(0, 1)).max()
-        for joint in joints(document, Continuation.DRAWN)
+        for joint in continued(document, Continuation.DRAWN)
         for part in (joint.first, joint.second)
     )
     for order, measure in ((1, joint_claims.c1), (2, joint_claims.c2)):
         jumps = [np.linalg.norm(end - start, axis=-1).max() for end, start in cross_derivatives(document, order, along)]
         assert measure(document).value * size == pytest.approx(max(jumps), rel=0.3)
-    joint = joints(document, Continuation.DRAWN)[0]
+    joint = continued(document, Continuation.DRAWN)[0]
     first, second = build_patch(joint.first), build_patch(joint.second)
     left = (first.points([1.0], along) - first.points([1 - step], along))[0] / step
     right = (second.points([step], along) - second.points([0.0], along))[0] / step
@@ -329,8 +332,8 @@ def test_a_net_without_a_jump_of_the_second_derivative_is_found():
     found = joint_claims.c2(random_document(2))
     assert found.holds
     assert found.example is not None
-    for joint in joints(found.example, Continuation.REFLECTED):
-        assert all(jump.is_rounding for jump in joint.jumps())
+    for joint in continued(found.example, Continuation.REFLECTED):
+        assert jumps([joint.sides()]).are_rounding
     again = joint_claims.c2(found.example)
     assert again.example == found.example
     assert "this net" in again.note

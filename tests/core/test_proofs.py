@@ -30,7 +30,9 @@ RESTS_ON = {
     **dict.fromkeys(("unity, double-sum", "unity, interpolating"), (KERNELS, BLENDS)),
     "unity, published": (BLENDS,),
     **dict.fromkeys((f"quartic, {name}" for name in FORMULATIONS), (TRANSFORMATIONS,)),
-    **dict.fromkeys((f"{name}, interpolating" for name in ("C0", "C1", "C2", "edges", "edges'", "symmetry")), ALL),
+    **dict.fromkeys(
+        (f"{name}, interpolating" for name in ("C0", "C1", "G1", "C2", "edges", "edges'", "symmetry")), ALL
+    ),
     **dict.fromkeys(("C2, double-sum", "symmetry, double-sum", "symmetry, published"), CURVE),
     **dict.fromkeys((f"boxes, {name}" for name in FORMULATIONS), ()),
 }

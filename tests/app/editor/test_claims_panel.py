@@ -257,7 +257,7 @@ def test_a_counterexample_opens_as_a_document_of_its_own(lab, spin):
 def test_everything_can_be_done_by_keyboard(lab, spin):
     spin(lambda: panel(lab).is_current)
     table(lab).setFocus()
-    select(lab, "C1", Formulation.INTERPOLATING)
+    select(lab, "G1", Formulation.INTERPOLATING)
     lab.key(Qt.Key.Key_Return, widget=table(lab))
     assert "the claim is proved" in lab.message()
     lab.key(Qt.Key.Key_Down, widget=table(lab))
