@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cache
-from math import comb
+from math import comb, perm
 from typing import Any
 
 import numpy as np
@@ -172,6 +172,9 @@ def catmull_rom(net: npt.ArrayLike) -> TensorSurface:
 
 _CUBIC = 3
 
+_CATMULL_ROM = np.array([[0, 2, 0, 0], [-1, 0, 1, 0], [2, -5, 4, -1], [-1, 3, -3, 1]]) / 2
+"""What four points give to the powers 0 to 3 of the parameter from 0 to 1 between the second and the third."""
+
 
 def _tensor_surface(
     net: npt.ArrayLike, basis_of: Callable[[int], Basis], weights: Array | None = None
@@ -193,13 +196,23 @@ def _b_spline_basis(count: int, degree: int) -> Basis:
 
 @cache
 def _catmull_rom_basis(count: int) -> Basis:
-    """Return the cardinal functions of P_0, P_1, ...: inner points are met evenly, half the chord is the tangent."""
-    from scipy.interpolate import CubicHermiteSpline
+    """Return the cardinal functions of P_0, P_1, ...: inner points are met evenly, half the chord is the tangent.
 
-    unit = np.eye(count)
-    joints = np.linspace(0.0, 1.0, count - 2)
-    tangents = (count - 3) * (unit[2:] - unit[:-2]) / 2
-    return _basis(count, CubicHermiteSpline(joints, unit[1:-1], tangents), joints[1:-1])
+    They are worked out here, for SciPy takes longer to import than the claims about a document to decide.
+    """
+    pieces = count - 3
+    joints = np.linspace(0.0, 1.0, pieces + 1)
+    polynomials = np.stack([_CATMULL_ROM @ np.eye(count)[p : p + 4] for p in range(pieces)])
+
+    def functions(parameters: Array, order: int) -> Array:
+        piece = np.clip(np.searchsorted(joints, parameters, side="right") - 1, 0, pieces - 1)
+        local = (parameters - joints[piece]) * pieces
+        values: Array = np.zeros((len(parameters), count))
+        for power in range(_CUBIC, order - 1, -1):
+            values = values * local[:, None] + perm(power, order) * polynomials[piece, power]
+        return values * float(pieces) ** order
+
+    return Basis(count, functions, read_only(joints[1:-1]))
 
 
 def _basis(count: int, spline: Any, breaks: Array) -> Basis:

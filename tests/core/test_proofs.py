@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 
 from qovr_core import FORMULATIONS, Formulation
-from qovr_core.construction import document_arrays
+from qovr_core.construction import window_arrays
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.kernels import inverse_kernels, kernels
 from qovr_core.geometry.weights import weight_coefficients
@@ -147,7 +147,7 @@ def test_the_exact_weights_are_those_that_the_program_computes_with(curve):
 
 
 def test_the_exact_boolean_sum_is_the_one_that_the_program_computes_with():
-    net, rows, columns = document_arrays(random_document(3))
+    net, rows, columns = window_arrays(random_document(3))
     along, across = [
         [exact.values(exact.weights(*map(Fraction, curve)), x) for curve in family]
         for family, x in ((rows, U), (columns, V))
