@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import html
-import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -11,24 +9,23 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QProgressBar, QTextBrowser, QVBoxLayout, QWidget
 
-from qovr_app.laboratory.claims_table import ClaimsTable, marked_verdict, statement
+from qovr_app.laboratory.claims_details import details_html
+from qovr_app.laboratory.claims_table import ClaimsTable
 from qovr_app.laboratory.panel import WorkingPanel
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.requests import DocumentAsked
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
-from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.parts import CompactButton, named
 from qovr_app.widgets.plain import plain_label, plain_tip
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
 from qovr_core import FORMULATIONS, Document, QovrError
+from qovr_core.document import Window
 from qovr_core.laboratory.claims import CLAIMS
-from qovr_core.laboratory.claims_report import standing
 from qovr_core.laboratory.trials import SAMPLES
 from qovr_core.laboratory.verify import Finding, Ground, verify
-from qovr_core.number_texts import short_text
 
 _WIDE = 900
 """From this width on what is behind a verdict stands beside the table, else below it: statements are never cut."""
@@ -56,6 +53,7 @@ class ClaimsPanel(WorkingPanel):
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, self._begin, self._is_behind, parent)
         self._document: Document | None = None
+        self._window: Window = (0, 0)
         self._all = len(CLAIMS) * len(FORMULATIONS)
         self._found = 0
         self._row: list[Finding] = []
@@ -89,16 +87,17 @@ class ClaimsPanel(WorkingPanel):
         if before is None or before.display.theme != after.display.theme:
             self._table.viewport().update()
         document = after.shown_document
-        if document is not None and after.differs(before, "shown_document"):
+        if document is not None and after.differs(before, "shown_document", "window"):
             self._table.show_formulation(document.formulation)
-            self._look_again(document)
+            self._look_again(document, after.window)
 
-    def _look_again(self, document: Document) -> None:
+    def _look_again(self, document: Document, window: Window) -> None:
         """Look again, unless only formulation or samples have changed: all formulations are shown anyway."""
-        document = replace(document, formulation=next(iter(FORMULATIONS.values())), samples=SAMPLES)
-        if document == self._document:
+        samples = max(SAMPLES[0], document.windows[1] + 1), max(SAMPLES[1], document.windows[0] + 1)
+        document = replace(document, formulation=next(iter(FORMULATIONS.values())), samples=samples)
+        if (document, window) == (self._document, self._window):
             return
-        self._document, self._found = document, 0
+        self._document, self._window, self._found = document, window, 0
         self.offer_again(is_offered=False)
         self._table.set_old()
         self._show_progress("The document has changed: verdicts in grey are of the one before.")
@@ -120,6 +119,7 @@ class ClaimsPanel(WorkingPanel):
         return self.worker.run(
             verify,
             self._document,
+            self._window,
             on_progress=self._on_found,
             on_failed=self._on_failed,
         )
@@ -140,7 +140,13 @@ class ClaimsPanel(WorkingPanel):
         self._row = []
         self._show_progress(f"Deciding: {self._found} of {self._all}")
         if self.is_current:
-            self._show_progress("Every claim is decided")
+            self._show_progress(f"Every claim is decided{self._about_net()}")
+
+    def _about_net(self) -> str:
+        """Return where the claims were measured, on a net of several windows."""
+        if self._document is None or self._document.windows == (1, 1):
+            return ""
+        return ": about neighbours at every joint, others on window ({}, {})".format(*self._window)
 
     def _show_progress(self, text: str) -> None:
         self._state.setText(text)
@@ -151,7 +157,7 @@ class ClaimsPanel(WorkingPanel):
     # What is behind a verdict
 
     def _show_finding(self, finding: Finding | None) -> None:
-        self._details.setHtml("" if finding is None else _details_html(finding))
+        self._details.setHtml("" if finding is None else details_html(finding))
         self._counterexample.setVisible(finding is not None and finding.counterexample is not None)
         self._example.setVisible(finding is not None and finding.example is not None)
 
@@ -201,34 +207,3 @@ class ClaimsPanel(WorkingPanel):
         below.addWidget(self._counterexample)
         below.addWidget(self._example)
         layout.addLayout(below)
-
-
-_SYMBOL = re.compile(r"\b([A-Za-z])_(ip|\d(?:,\d)?)\b")
-
-
-def _details_html(finding: Finding) -> str:
-    """Return everything known of a verdict as rich text."""
-    claim, here = finding.claim, finding.here
-    condition = f" {_rich(finding.condition)}" if finding.condition else ""
-    measured, value = here.what[0].upper() + here.what[1:], short_text(here.value)
-    paragraphs = [
-        f"{_rich(statement(claim))} <b>{_rich(claim.name)}</b>, {_rich(claim.where)}.",
-        f"For {_rich(str(finding.formulation))}: <b>{marked_verdict(finding)}</b>{condition}.",
-        _ground_html(finding),
-        standing(finding.verdict, here).sentence,
-        f"{_rich(measured)}: <b>{value}</b> here, {short_text(finding.largest)} at most in all trials.",
-        f"Found: {_rich(here.note)}." if here.note else "",
-    ]
-    return "".join(f'<p style="margin: 0 0 {SPACE}px 0">{text}</p>' for text in paragraphs if text)
-
-
-def _ground_html(finding: Finding) -> str:
-    """Return how a verdict is known, where it is not by trials alone."""
-    if finding.proof:
-        return f"Proved in exact arithmetic: {_rich(finding.proof)}."
-    return "" if finding.ground is Ground.TRIALS else f"{str(finding.ground).capitalize()}."
-
-
-def _rich(text: str) -> str:
-    symbols = _SYMBOL.sub(lambda found: symbol_html(found[1], found[2]), html.escape(text))
-    return symbols.replace("^-1", "<sup>−1</sup>")
