@@ -174,7 +174,8 @@ def _checked_net(points: npt.ArrayLike) -> Array:
         net = points
     else:
         net = _net_of_numbers(points)
-    for i, j, k in np.argwhere(~(np.abs(net) <= LARGEST_MAGNITUDE)):
+    is_valid = np.abs(net) <= LARGEST_MAGNITUDE
+    for i, j, k in () if is_valid.all() else np.argwhere(~is_valid):
         checked_number(net[i, j, k].item(), f"control_points[{i}][{j}][{k}]")
     return read_only(net.copy())
 

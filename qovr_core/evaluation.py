@@ -57,8 +57,7 @@ class Evaluation:
     def __init__(self, document: Document, base: Evaluation | None = None) -> None:
         self.document: Final = document
         self.patch: Final[Patch] = build_patch(document, (base.document, base.patch) if base else None)
-        known = base._known.get(_ROUNDING) if base else None  # the base itself, and what it stood on, is not kept
-        self._base = (base.document, known) if base and known is not None else None
+        self._base = base._rounding_base if base else None
         self._known: dict[str, Any] = {}
         self._lock = RLock()
 
@@ -152,6 +151,12 @@ class Evaluation:
     @property
     def _alignment(self) -> Alignment:
         return self._once("alignment", lambda: align(self.raw_box, self.control_box, self.rounding))
+
+    @property
+    def _rounding_base(self) -> tuple[Document, Array] | None:
+        """What the windows' rounding is known of, for the next evaluation; this one itself is not kept by it."""
+        known: Array | None = self._known.get(_ROUNDING)
+        return self._base if known is None else (self.document, known)
 
     def _once(self, name: str, compute: Callable[[], _T]) -> _T:
         """Return what is computed at most once, whichever thread asks first."""

@@ -120,7 +120,7 @@ def checked_joints(joints: Joints, rows: KnotTable, columns: KnotTable, closed: 
     for direction, knots in ((Direction.ROWS, rows), (Direction.COLUMNS, columns)):
         place = f"joints.{direction.parameter}"
         entries = [
-            Joint(checked_choice(entry, f"{place}[{k}]", list(Joint)))
+            entry if isinstance(entry, Joint) else Joint(checked_choice(entry, f"{place}[{k}]", list(Joint)))
             for k, entry in enumerate(joints.along(direction))
         ]
         can_be = can_be_smooth(knots, direction.parameter in closed)

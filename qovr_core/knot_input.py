@@ -36,7 +36,8 @@ def checked_knots(knots: KnotsLike, direction: Direction, curves: int, windows: 
     if array.shape != shape:
         found, expected = (" x ".join(map(str, each)) for each in (array.shape, shape))
         raise DocumentError(direction, f"an array of {found}", f"one of {expected}")
-    for curve, window, number in np.argwhere(~((array > 0) & (array < 1))):
+    is_valid = (array > 0) & (array < 1)
+    for curve, window, number in () if is_valid.all() else np.argwhere(~is_valid):
         place = KnotPlace(direction, int(curve), KNOT_NAMES[number], int(window))
         checked_knot(array[curve, window, number].item(), place.text(windows))
     return knots if isinstance(knots, KnotTable) else KnotTable(array)

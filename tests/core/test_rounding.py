@@ -8,7 +8,7 @@ import pytest
 
 from qovr_core import FORMULATIONS, Document, Evaluation, Formulation, Knots, Layer
 from qovr_core.construction import document_arrays
-from qovr_core.edits import Direction, KnotPlace
+from qovr_core.edits import Direction, KnotPlace, set_point
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.weights import weight_coefficients
 from qovr_core.laboratory.influence import KnotMove, influence
@@ -124,3 +124,21 @@ def test_a_knot_without_effect_moves_nothing_where_sums_cancel():
     found = influence(document, KnotMove(KnotPlace(Direction.ROWS, 2, "r"), 0.1), Layer.RAW)
     assert not found.displacement.coefficients[0, 0][..., :2].any()
     assert found.largest > 0.001
+
+
+def test_after_any_row_of_edits_only_the_windows_they_touched_are_rounded():
+    """Several moves may come before anybody asks."""
+    computed = []
+
+    def counted(net, row_knots, column_knots):
+        computed.append(net.shape[:-3])
+        return Formulation.INTERPOLATING.summands(net, row_knots, column_knots)
+
+    formulation = replace(Formulation.INTERPOLATING, name="counted", summands=counted)
+    document = Document(np.random.default_rng(4).normal(size=(13, 15, 3)), formulation=formulation)
+    evaluation = Evaluation(document)
+    assert evaluation.rounding.shape == (3,)
+    for i, j in ((1, 1), (1, 1), (5, 5)):
+        evaluation = Evaluation(set_point(evaluation.document, i, j, (9, 9, 9)), evaluation)
+    assert np.array_equal(evaluation.rounding, Evaluation(evaluation.document).rounding)
+    assert computed == [(5, 6), (5,), (5, 6)]  # P 1,1 is in one window, P 5,5 in four
