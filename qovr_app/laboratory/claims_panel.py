@@ -13,6 +13,7 @@ from qovr_app.laboratory.claims_details import details_html
 from qovr_app.laboratory.claims_table import ClaimsTable
 from qovr_app.laboratory.panel import WorkingPanel
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.looking_intents import Selected, WindowFocused
 from qovr_app.state.requests import DocumentAsked
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
@@ -69,6 +70,11 @@ class ClaimsPanel(WorkingPanel):
         self._example = self._button(
             "example", "Open a document that shows what was found", lambda finding: finding.example
         )
+        self._place = CompactButton(
+            "Show place", "laboratory.claims.place", "Select the control point nearest to the joint's worst place", self
+        )
+        self._place.clicked.connect(lambda _checked: self._show_place())
+        self._place.setVisible(False)
         self._state = named(plain_label("", self), "laboratory.claims.state")
         self._progress = named(QProgressBar(self), "laboratory.claims.progress", "Verdicts found")
         self._progress.setRange(0, self._all)
@@ -97,10 +103,11 @@ class ClaimsPanel(WorkingPanel):
         document = replace(document, formulation=next(iter(FORMULATIONS.values())), samples=samples)
         if (document, window) == (self._document, self._window):
             return
+        changed = "window in focus" if document == self._document else "document"
         self._document, self._window, self._found = document, window, 0
         self.offer_again(is_offered=False)
         self._table.set_old()
-        self._show_progress("The document has changed: verdicts in grey are of the one before.")
+        self._show_progress(f"The {changed} has changed: verdicts in grey are of the one before.")
         self.work.restart()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -160,6 +167,7 @@ class ClaimsPanel(WorkingPanel):
         self._details.setHtml("" if finding is None else details_html(finding))
         self._counterexample.setVisible(finding is not None and finding.counterexample is not None)
         self._example.setVisible(finding is not None and finding.example is not None)
+        self._place.setVisible(finding is not None and finding.here.place is not None)
 
     def _open_first(self) -> None:
         """Open what the current verdict offers: a counterexample before an example."""
@@ -176,6 +184,13 @@ class ClaimsPanel(WorkingPanel):
         if finding is not None and (document := shown_by(finding)) is not None:
             title = f"{kind.capitalize()} to {finding.claim.name}, {finding.formulation}"
             self.store.dispatch(DocumentAsked(document, title))
+
+    def _show_place(self) -> None:
+        """Bring the joint at which the difference is largest into focus."""
+        finding = self._table.current_finding()
+        if finding is not None and (place := finding.here.place) is not None:
+            self.store.dispatch(WindowFocused(place.window))
+            self.store.dispatch(Selected(place.nearest_point))
 
     def _button(self, kind: str, tip: str, shown_by: Shown) -> CompactButton:
         button = CompactButton(f"Open {kind}", f"laboratory.claims.{kind}", tip, self)
@@ -204,6 +219,7 @@ class ClaimsPanel(WorkingPanel):
         layout.addWidget(self._progress)
         below = self.with_again(self._state, "laboratory.claims")
         below.setContentsMargins(0, 0, 2 * SPACE, 0)
+        below.addWidget(self._place)
         below.addWidget(self._counterexample)
         below.addWidget(self._example)
         layout.addLayout(below)

@@ -10,10 +10,11 @@ from typing import Any
 import numpy as np
 
 from qovr_core.arrays import Array, Flags
-from qovr_core.document import Window
+from qovr_core.document import NetIndex, Window
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.knots import Direction
 from qovr_core.geometry.patch import PATCH_DEGREE
+from qovr_core.geometry.windows import NET_SIZE, STEP
 from qovr_core.laboratory.neighbours import Sides
 
 _ORDERS = 3
@@ -45,6 +46,14 @@ class JointPlace:
     def parameters(self) -> tuple[float, float]:
         """Its u and v in the window before the joint."""
         return (1.0, self.at) if self.across is Direction.ROWS else (self.at, 1.0)
+
+    @property
+    def nearest_point(self) -> NetIndex:
+        """The control point on the joint that is nearest to it; the curve along the joint meets three."""
+        a, b = self.window
+        along, across = 1 + round(2 * self.at), NET_SIZE - 2
+        i, j = (along, across) if self.across is Direction.ROWS else (across, along)
+        return STEP * a + i, STEP * b + j
 
     def __str__(self) -> str:
         a, b = self.window

@@ -221,6 +221,9 @@ def test_places_are_named_by_the_window_before_the_joint():
     place = JointPlace(Direction.COLUMNS, (1, 0), 2, 0.25)
     assert str(place) == "v-joint 1|2 at u = 0.25 of window (1, 0)"
     assert place.parameters == (0.25, 1.0)
+    assert JointPlace(Direction.COLUMNS, (1, 0), 2, 0.2).nearest_point == (5, 1)
+    assert JointPlace(Direction.ROWS, (1, 2), 3, 0.6).nearest_point == (4, 7)
+    assert JointPlace(Direction.ROWS, (1, 2), 3, 0.9).nearest_point == (5, 7)
 
 
 # --- qovr verify ------------------------------------------------------------------------------------------------------

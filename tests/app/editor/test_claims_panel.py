@@ -283,3 +283,22 @@ def test_a_claim_s_own_cell_stands_for_the_document_s_formulation(lab, spin):
         r"For published: ○ not refuted by \d+ trials\.\n(?!Proved)",
         lab.find("laboratory.claims.details", QTextBrowser).toPlainText(),
     )
+
+
+def test_the_worst_joint_of_a_net_is_named_and_shown(make_editor, spin):
+    editor = make_editor("shape:folded-saddle")
+    editor.trigger("laboratory_claims")
+    spin(lambda: panel(editor).is_current)
+    assert state(editor) == "Every claim is decided: about neighbours at every joint, others on window (0, 0)"
+    select(editor, "G1", Formulation.INTERPOLATING)
+    place = table(editor).current_finding().here.place
+    assert f"largest at the {place}" in editor.find("laboratory.claims.details", QTextBrowser).toPlainText()
+    editor.click("laboratory.claims.place")
+    shown = editor.window.store.state
+    assert shown.window == place.window != (0, 0)
+    assert shown.selection.points == {place.nearest_point}
+    assert "window in focus" in state(editor)
+    spin(lambda: panel(editor).is_current)
+    assert state(editor).endswith("others on window ({}, {})".format(*place.window))
+    select(editor, "unity", Formulation.INTERPOLATING)
+    assert editor.find("laboratory.claims.place", QAbstractButton).isHidden()
