@@ -13,7 +13,15 @@ from qovr_core.errors import EvaluationError
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.weights import weight_coefficients
-from qovr_core.geometry.windows import NET_SIZE, STEP, column_windows, curve_points, net_windows, row_windows
+from qovr_core.geometry.windows import (
+    NET_SIZE,
+    STEP,
+    column_windows,
+    curve_points,
+    curve_windows,
+    net_windows,
+    row_windows,
+)
 from qovr_core.joints import window_lengths
 
 
@@ -106,13 +114,12 @@ def build_patch(document: Document, base: tuple[Document, Patch] | None = None) 
     >>> patch.degree, patch.points([0, 1], [0]).tolist()
     ((4, 4), [[[1.0, 1.0, 0.0]], [[3.0, 1.0, 0.0]]])
     """
-    if base is None or not _is_alike(document, base[0]):
-        coefficients = _coefficients(document, *document_arrays(document))
+    if base is not None and _is_alike(document, base[0]):
+        coefficients = _some_windows(document, base)
     else:
-        touched = np.nonzero(_touched(document, base[0]))
-        coefficients = base[1].coefficients.copy()
-        if len(touched[0]):
-            coefficients[touched] = _coefficients(document, *(array[touched] for array in document_arrays(document)))
+        coefficients = _all_windows(document)
+    if not np.isfinite(coefficients).all():
+        raise overflow_error(document)
     along_u, along_v = window_degrees(document).max(axis=(0, 1)).tolist()
     lengths_u, lengths_v = (
         window_lengths(knots_of(document, direction), document.joints.along(direction)) for direction in Direction
@@ -120,11 +127,23 @@ def build_patch(document: Document, base: tuple[Document, Patch] | None = None) 
     return Patch(read_only(coefficients), (along_u, along_v), (lengths_u, lengths_v))
 
 
-def _coefficients(document: Document, net: Array, row_knots: Array, column_knots: Array) -> Array:
-    with np.errstate(all="ignore"):  # what overflows is refused just below, in words
-        coefficients = document.formulation.build(net, row_knots, column_knots)
-    if not np.isfinite(coefficients).all():
-        raise overflow_error(document)
+@np.errstate(all="ignore")  # what overflows is refused in words
+def _all_windows(document: Document) -> Array:
+    """Return the coefficients of all windows, (m, n, 7, 7, 3); curves that windows share are computed once."""
+    arrays, join = document_arrays(document), document.formulation.join
+    if join is None or document.windows == (1, 1):
+        return document.formulation.build(*arrays)
+    network = curve_network(document)
+    return join(*arrays, curve_windows(network.rows), curve_windows(network.columns).swapaxes(0, 1))
+
+
+@np.errstate(all="ignore")
+def _some_windows(document: Document, base: tuple[Document, Patch]) -> Array:
+    """Return the same, computed only where the document differs from another."""
+    touched = np.nonzero(_touched(document, base[0]))
+    coefficients = base[1].coefficients.copy()
+    if len(touched[0]):
+        coefficients[touched] = document.formulation.build(*(array[touched] for array in document_arrays(document)))
     return coefficients
 
 

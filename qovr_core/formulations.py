@@ -13,6 +13,7 @@ from qovr_core.arrays import Array
 from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.geometry.network import (
     boolean_sum,
+    boolean_sum_of,
     boolean_sum_slope,
     boolean_sum_summands,
     network_curves,
@@ -40,6 +41,9 @@ _LAST_ROW = 4
 Build = Callable[[Array, Array, Array], Array]
 """Called with net (..., k, l, 3), row knots (..., k, 4) and column knots (..., l, 4); see ``Formulation``."""
 
+Join = Callable[[Array, Array, Array, Array, Array], Array]
+"""Called as a ``Build``, and with the curves (..., k, 7, 3) and (..., l, 7, 3) of the network; see ``Formulation``."""
+
 Summands = Callable[[Array, Array, Array], Array]
 """Called as a ``Build``; see ``Formulation``."""
 
@@ -66,6 +70,7 @@ class Formulation(Record):
     is_as_claimed : whether it is the surface that the paper's claims describe
     summands : gives, for what ``build`` is given, how large all that is added up to a coordinate is together, (..., 3):
         the scale of its rounding, however much of it cancels. None has it taken from ``build``, far on the safe side
+    join : gives what ``build`` does from curves that are known already, as those of a net are which its windows share
 
     Raises
     ------
@@ -93,6 +98,7 @@ class Formulation(Record):
     is_continuous: bool = False
     is_as_claimed: bool = False
     summands: Summands | None = None
+    join: Join | None = None
 
     table: ClassVar[Registry[Formulation]] = Registry("formulation")
     PUBLISHED: ClassVar[Formulation]
@@ -169,13 +175,20 @@ class Formulation(Record):
 
 def _published(net: Array, row_knots: Array, column_knots: Array) -> Array:
     """Only the last row curve enters: C_4(u) * sum_j K_j(v), as the published workbooks contain."""
-    rows, columns = network_curves(net, row_knots, column_knots, PUBLISHED_KERNEL_DECIMALS)
+    curves = network_curves(net, row_knots, column_knots, PUBLISHED_KERNEL_DECIMALS)
+    return _published_of(net, row_knots, column_knots, *curves)
+
+
+def _published_of(_net: Array, _row_knots: Array, _column_knots: Array, rows: Array, columns: Array) -> Array:
     return product_surface(rows[..., _LAST_ROW, :, :], columns.sum(axis=-3))
 
 
 def _double_sum(net: Array, row_knots: Array, column_knots: Array) -> Array:
     """(sum_i C_i(u)) * (sum_j K_j(v)), eqs. (27), (44) and Algorithm 1 as printed."""
-    rows, columns = network_curves(net, row_knots, column_knots)
+    return _double_sum_of(net, row_knots, column_knots, *network_curves(net, row_knots, column_knots))
+
+
+def _double_sum_of(_net: Array, _row_knots: Array, _column_knots: Array, rows: Array, columns: Array) -> Array:
     return product_surface(rows.sum(axis=-3), columns.sum(axis=-3))
 
 
@@ -184,6 +197,7 @@ Formulation.PUBLISHED = Formulation(
     description="What the published workbooks contain: the last row curve times the sum of the columns, with kernels "
     "cut to four decimals.",
     build=_published,
+    join=_published_of,
     slope=partial(product_slope, entering_rows=slice(_LAST_ROW, None)),
     active_rows=(_LAST_ROW,),
     kernel_decimals=PUBLISHED_KERNEL_DECIMALS,
@@ -193,6 +207,7 @@ Formulation.DOUBLE_SUM = Formulation(
     name="double-sum",
     description="The paper's equations as printed: the sum of the row curves times the sum of the columns.",
     build=_double_sum,
+    join=_double_sum_of,
     slope=product_slope,
     summands=product_summands,
 )
@@ -200,6 +215,7 @@ Formulation.INTERPOLATING = Formulation(
     name="interpolating",
     description="What the paper claims: a surface through the inner control points, with fixed edges.",
     build=boolean_sum,
+    join=boolean_sum_of,
     slope=boolean_sum_slope,
     resting_layer=Layer.RAW,
     is_continuous=True,

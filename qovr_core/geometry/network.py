@@ -48,7 +48,11 @@ def boolean_sum(net: Array, row_knots: Array, column_knots: Array) -> Array:
 
     Parameters are those of ``network_curves``; the result is (..., 7, 7, 3).
     """
-    rows, columns = network_curves(net, row_knots, column_knots)
+    return boolean_sum_of(net, row_knots, column_knots, *network_curves(net, row_knots, column_knots))
+
+
+def boolean_sum_of(net: Array, row_knots: Array, column_knots: Array, rows: Array, columns: Array) -> Array:
+    """Return ``boolean_sum`` from curves that are known, (..., k, 7, 3) and (..., l, 7, 3)."""
     means = np.stack([row_knots.mean(axis=-2), column_knots.mean(axis=-2)])
     along_u, along_v = weight_coefficients(means)
     # Rows and points are blended by the same weights along v, so their difference is blended once.

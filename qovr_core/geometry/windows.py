@@ -33,13 +33,21 @@ def net_windows(net: npt.NDArray[_Number]) -> npt.NDArray[_Number]:
 
 def row_windows(rows: KnotTable) -> Array:
     """Return the knots of the five row curves of all windows, (m, n, 5, 4); a view."""
-    views = np.lib.stride_tricks.sliding_window_view(rows.array, NET_SIZE, axis=0)
-    return views[::STEP].transpose(0, 1, 3, 2)
+    return curve_windows(rows.array)
 
 
 def column_windows(columns: KnotTable) -> Array:
     """Return the knots of the five column curves of all windows, (m, n, 5, 4); a view."""
     return row_windows(columns).swapaxes(0, 1)
+
+
+def curve_windows(curves: Array) -> Array:
+    """Return what five row curves have in each of their windows, (m, n, 5, ...), of all curves (2m+3, n, ...); a view.
+
+    Column curves (2n+3, m, ...) come as (n, m, 5, ...).
+    """
+    views = np.lib.stride_tricks.sliding_window_view(curves, NET_SIZE, axis=0)
+    return np.moveaxis(views[::STEP], -1, 2)
 
 
 def curve_points(net: Array) -> Array:
