@@ -27,7 +27,7 @@ of its own accord, leaves it alone. Its threads would spin on for a while and ta
 THREADED_BYTES = 4 * 1024 * 1024
 """Results smaller than this are done in the caller's thread; larger ones are bound by memory."""
 
-TABLE_BYTES = 4 * 1024 * 1024
+TABLE_BYTES = 2 * 1024 * 1024
 """Size of the curves in v of the pieces along u that are worked on together: little beside large results."""
 
 _Block = tuple[int, slice]

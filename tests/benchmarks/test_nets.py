@@ -109,7 +109,7 @@ def test_the_history_of_moved_points(row):
     from qovr_app.state.history import History
 
     net = np.random.default_rng(0).random((POINTS, POINTS, 3))
-    history = History(Document(net, formulation=Formulation.INTERPOLATING))
+    history = History.of(Document(net, formulation=Formulation.INTERPOLATING))
     history = history.pushed("Move", edits.set_point(history.document, 0, 0, (0.0, 0.0, 0.0)), None)
     tracemalloc.start()
     for k in range(MOVES):
