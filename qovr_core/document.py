@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.arrays import Array, read_only
+from qovr_core.arrays import Array, Indices, read_only
 from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.knots import Direction, Knots, KnotTable
+from qovr_core.geometry.locate import spread
 from qovr_core.geometry.windows import NET_SIZE, window_count
 from qovr_core.joints import Joints, checked_closed, checked_joints, smooth_where_possible
 from qovr_core.knot_input import KnotsLike, checked_knots, entries
@@ -113,6 +114,12 @@ class Document:
     def windows(self) -> tuple[int, int]:
         """How many windows the net has along v and along u, (m, n)."""
         return self.column_knots.windows, self.row_knots.windows
+
+    @property
+    def intervals(self) -> tuple[Indices, Indices]:
+        """The intervals between samples that fall to each window along u, (n,), and along v, (m,)."""
+        (m, n), samples = self.windows, self.samples
+        return spread(samples[0], n), spread(samples[1], m)
 
     def is_closed(self, direction: Direction) -> bool:
         """Return whether the net closes along the curves of a direction."""

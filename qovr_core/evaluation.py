@@ -8,11 +8,11 @@ from typing import Any, Final, TypeVar
 
 import numpy as np
 
-from qovr_core.arrays import Array, Indices, read_only
+from qovr_core.arrays import Array, read_only
 from qovr_core.construction import CurveNetwork, build_patch, curve_network, window_rounding
 from qovr_core.document import Document
 from qovr_core.geometry.alignment import Alignment, align, bounding_box
-from qovr_core.geometry.locate import even, spread
+from qovr_core.geometry.locate import even
 from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.rounding import NOISE
 from qovr_core.layer import Layer
@@ -79,7 +79,7 @@ class Evaluation:
     @property
     def raw_box(self) -> Array:
         """The box of the raw samples, (3, 2) with columns min and max; hardly any of them is computed for it."""
-        return self._once("raw_box", lambda: self.patch.sampled_box(*self.intervals))
+        return self._once("raw_box", lambda: self.patch.sampled_box(*self.document.intervals))
 
     @property
     def matrix(self) -> Array:
@@ -113,30 +113,24 @@ class Evaluation:
         return self.patch if layer is Layer.RAW else self.transformed_patch
 
     @property
-    def intervals(self) -> tuple[Indices, Indices]:
-        """The intervals between samples that fall to each window along u, (n,), and along v, (m,)."""
-        (m, n), samples = self.document.windows, self.document.samples
-        return spread(samples[0], n), spread(samples[1], m)
-
-    @property
     def u(self) -> Array:
         """The samples' places along u, ascending: the window, plus the place in it from 0 to 1."""
-        return self._once("u", lambda: even(self.intervals[0]).place)
+        return self._once("u", lambda: even(self.document.intervals[0]).place)
 
     @property
     def v(self) -> Array:
         """The samples' places along v, likewise."""
-        return self._once("v", lambda: even(self.intervals[1]).place)
+        return self._once("v", lambda: even(self.document.intervals[1]).place)
 
     @property
     def raw(self) -> Array:
         """Samples of the raw surface, (N, M, 3) indexed [iu, iv]; where windows do not meet, of that which begins."""
-        return self._once("raw", lambda: self.patch.samples(*self.intervals))
+        return self._once("raw", lambda: self.patch.samples(*self.document.intervals))
 
     @property
     def transformed(self) -> Array:
         """Samples of the transformed surface, (N, M, 3) indexed [iu, iv]."""
-        return self._once("transformed", lambda: self.transformed_patch.samples(*self.intervals))
+        return self._once("transformed", lambda: self.transformed_patch.samples(*self.document.intervals))
 
     def samples(self, layer: Layer) -> Array:
         """Return the samples of a layer, (n, m, 3) indexed [iu, iv]."""
