@@ -15,6 +15,9 @@ from qovr_core.laboratory.verify import Finding, Ground, Verdict
 
 _WIDTH = 110
 _VERDICT = 28
+
+_LONG = 100
+"""From here on two digits would need an exponent."""
 _INDENT = " " * 17
 
 
@@ -103,7 +106,7 @@ def _cell(finding: Finding) -> str:
         verdict += f"{';' if finding.condition else ','} {finding.ground}"
     if finding.verdict is Verdict.FALSE:
         failing = finding.largest if finding.here.holds else finding.here.value
-        verdict += f" ({failing:.2g})"
+        verdict += f" ({failing:.2g})" if failing < _LONG else f" ({failing:.0f})"
     has_document = finding.example or finding.counterexample
     is_noted = finding.formulation.is_as_claimed and finding.here.note and has_document
     return f"{verdict}; {finding.here.note}" if is_noted else verdict

@@ -39,7 +39,7 @@ def test_a_document_of_a_formulation_from_outside_is_the_same_there(answer):
     ) as outside:
         document = replace(random_document(1), formulation=outside)
         assert np.array_equal(answer(jobs.evaluated, document).result, configure(document).raw)
-        findings = answer(verify, document)
+        findings = answer(verify, document, (0, 0))
         assert sum(heard[0] == "progress" for heard in findings) == len(CLAIMS) * len(FORMULATIONS)
         assert findings.result[-1].formulation == outside
         assert len(children()) == 1
