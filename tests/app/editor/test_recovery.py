@@ -13,11 +13,16 @@ import numpy as np
 import pytest
 from PySide6.QtTest import QTest
 
+from qovr_app.state.intents import Opened, PointsMoved
 from qovr_app.window.recovery import recovery_folder
 from qovr_core.files import read_document, write_document
 from qovr_core.files.qovr_document import document_from_json
+from qovr_core.joints import Joint
 from qovr_core.presets import preset
-from support.editor import opened_windows
+from support.editor import opened_windows, wait_until
+from support.jobs import report_until_cancelled
+from support.nets import random_net_document
+from support.working import children
 
 TESTS = Path(__file__).resolve().parents[2]
 KILLS = 8
@@ -69,6 +74,22 @@ def test_a_crashed_document_is_offered_and_restored(make_editor, home):
     third.click("recovery.discard")
     assert not third.find("recovery").isVisible()
     assert not make_editor().find("recovery").isVisible()
+
+
+def test_a_net_is_kept_whole_whatever_becomes_of_the_worker(make_editor, home):
+    net = random_net_document(3, (3, 4), smooth=0.5)
+    first = make_editor()
+    first.window.worker.run(report_until_cancelled)
+    wait_until(lambda: bool(children()))
+    first.dispatch(Opened(net, "net", is_saved=False))
+    first.dispatch(PointsMoved(((4, 5),), ((0.0, 0.0, 1 / 3),)))
+    os.kill(children()[0], signal.SIGKILL)
+    crash(first, home)
+    second = make_editor()
+    second.click("recovery.restore")
+    assert second.document == first.document
+    assert Joint.SMOOTH in second.document.joints.u + second.document.joints.v
+    assert second.document.control_points[4, 5, 2] == pytest.approx(net.control_points[4, 5, 2] + 1 / 3)
 
 
 def test_a_living_window_keeps_its_own(make_editor):
