@@ -110,6 +110,17 @@ def test_a_polynomial_is_told_from_zero_by_one_more_value_than_its_degree():
     assert not identities.vanishes(zero_on_the_first(3), 3, 1)
 
 
+@pytest.mark.parametrize("name", PROOFS)
+def test_proofs_hold_on_larger_grids_too(name, fresh, monkeypatch):
+    """So they would if a degree were counted too low by two."""
+    vanishes = identities.vanishes
+    for module in (identities, mirror_identities):
+        monkeypatch.setattr(
+            module, "vanishes", lambda function, *degrees: vanishes(function, *(d + 2 for d in degrees))
+        )
+    assert PROOFS[name].holds()
+
+
 def numerator(p, k, u, order, end):
     """An entry row of a parabola's weights, or of their derivatives, times what it divides by."""
     row = exact.end_rows(exact.parabola(p, k, u), order)[end]
