@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TypeGuard
 
 import numpy as np
 
+from qovr_core.arrays import Array
 from qovr_core.errors import LONGEST_QUOTE, DocumentError, one_line
 
 LARGEST_MAGNITUDE = 1e12
@@ -27,6 +28,16 @@ class Verbatim(str):
 
 def _is_real(value: object) -> TypeGuard[float]:
     return isinstance(value, (int, float, np.integer, np.floating)) and not isinstance(value, bool)
+
+
+def plain_numbers(values: Sequence[object]) -> Array | None:
+    """Return plain numbers as an array, all at once; None where any is none, so that they are to be checked singly."""
+    if not {*map(type, values)} <= {float, int}:
+        return None
+    try:
+        return np.array(values, dtype=np.float64)
+    except OverflowError:
+        return None
 
 
 def described(value: object) -> str:

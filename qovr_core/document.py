@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import chain
 from math import hypot
 from typing import Any
 
@@ -12,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, Indices, read_only
-from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples
+from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples, plain_numbers
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.knots import Direction, Knots, KnotTable
@@ -192,6 +193,8 @@ def _net_of_numbers(points: Any) -> Array:
     _check_count(len(rows), "control_points")
     columns = len(_points_list(rows[0], "control_points[0]"))
     _check_count(columns, "control_points[0]")
+    if (net := _plain_net(rows, columns)) is not None:
+        return net
     return np.array(
         [
             [
@@ -204,6 +207,19 @@ def _net_of_numbers(points: Any) -> Array:
             for i, row in enumerate(rows)
         ]
     )
+
+
+def _plain_net(rows: Sequence[Any], columns: int) -> Array | None:
+    """Return a net of plain numbers in lists, all at once; None where anything in it is to be looked at singly."""
+    if {*map(type, rows)} != {list} or {*map(len, rows)} != {columns}:
+        return None
+    points = list(chain.from_iterable(rows))
+    if {*map(type, points)} != {list} or {*map(len, points)} != {3}:
+        return None
+    numbers = plain_numbers(list(chain.from_iterable(points)))
+    if numbers is None or not (np.abs(numbers) <= LARGEST_MAGNITUDE).all():
+        return None
+    return numbers.reshape(len(rows), columns, 3)
 
 
 def _points_list(value: object, place: str) -> Sequence[Any]:

@@ -6,7 +6,7 @@ from pathlib import Path
 
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
-from qovr_core.files.array_document import INPUTS, document_from_arrays
+from qovr_core.files.array_document import INPUTS, NET_INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
 from qovr_core.files.format import Format
 from qovr_core.files.mat_read import read_arrays
@@ -54,7 +54,7 @@ def read_mat(path: Path) -> Document:
         belongs there
     """
     with reading(path, "cannot be read:") as file:
-        arrays = read_arrays(file, INPUTS)
+        arrays = read_arrays(file, (*INPUTS, *NET_INPUTS))
     return document_from_arrays(arrays, path)
 
 

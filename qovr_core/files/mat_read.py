@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import math
 import zlib
-from collections.abc import Container, Iterator
+from collections.abc import Callable, Container, Iterator
+from functools import partial
 from typing import Any, BinaryIO
 
 import numpy as np
@@ -24,6 +25,9 @@ _TEXTS = {16: "utf-8", 17: "utf-16", 18: "utf-32"}
 _WHOLE_NUMBERS = _NUMBERS.keys() - {7, 9}
 _CELL_CLASS, _CHAR_CLASS, _NUMERIC_CLASSES = 1, 4, range(6, 16)
 _COMPLEX = 0x0800
+
+_HEAD_BYTES = 1024
+"""Flags, shape and name of an array fit in; so much is looked at of those that are not wanted."""
 
 _MOST_ELEMENTS = 100_000
 """A file of more arrays is taken for a damaged one: each step through it may be as short as eight bytes."""
@@ -48,31 +52,38 @@ def read_arrays(file: BinaryIO, wanted: Container[str]) -> dict[str, npt.NDArray
         raise ValueError("its version is 7.3; expected one saved as -v7 or older")
     arrays: dict[str, npt.NDArray[Any] | Verbatim] = {}
     for content, length in _matrices(file, order):
-        fields = _Fields(content, order)
-        kind, name = fields.head()
+        kind, name = _Fields(content(_HEAD_BYTES), order).head()
         if name in wanted:
             if length > LARGEST_INPUT:
                 raise ValueError(f"{name} is {length:,} bytes long; expected at most {LARGEST_INPUT:,}")
+            fields = _Fields(content(LARGEST_INPUT), order)
+            fields.head()
             arrays[name] = fields.value(kind)
     return arrays
 
 
-def _matrices(file: BinaryIO, order: str) -> Iterator[tuple[bytes, int]]:
-    """Yield the content of every matrix, whole or at least its head, and its length."""
+def _matrices(file: BinaryIO, order: str) -> Iterator[tuple[Callable[[int], bytes], int]]:
+    """Yield of every matrix what gives its content up to a number of bytes, and its length."""
     for _ in range(_MOST_ELEMENTS):
         if not (tag := file.read(_TAG_BYTES)):
             return
         kind, length = np.frombuffer(_whole(tag, _TAG_BYTES), f"{order}u4").tolist()
         end = file.tell() + length
-        content = _whole(file.read(min(length, LARGEST_INPUT)), min(length, LARGEST_INPUT))
-        if kind == _COMPRESSED:
-            content = zlib.decompressobj().decompress(content, LARGEST_INPUT + _TAG_BYTES)
-            kind, length = np.frombuffer(_whole(content[:_TAG_BYTES], _TAG_BYTES), f"{order}u4").tolist()
-            content = content[_TAG_BYTES:]
+        stored = _whole(file.read(min(length, LARGEST_INPUT)), min(length, LARGEST_INPUT))
+        if is_packed := kind == _COMPRESSED:
+            tag = zlib.decompressobj().decompress(stored, _TAG_BYTES)
+            kind, length = np.frombuffer(_whole(tag, _TAG_BYTES), f"{order}u4").tolist()
         if kind == _MATRIX:
-            yield content, length
+            yield partial(_content, stored, is_packed), length
         file.seek(end)
     raise ValueError(f"it has more than {_MOST_ELEMENTS:,} elements")
+
+
+def _content(stored: bytes, is_packed: bool, most: int) -> bytes:
+    """Return the first bytes of a matrix's content; no more of it is unpacked."""
+    if is_packed:
+        return zlib.decompressobj().decompress(stored, _TAG_BYTES + most)[_TAG_BYTES:]
+    return stored[:most]
 
 
 def _whole(content: bytes, length: int) -> bytes:

@@ -11,30 +11,31 @@ from typing import Any
 
 import numpy as np
 
-from qovr_core.arrays import Array
 from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.archive import content, has, opened_archive
-from qovr_core.files.array_document import INPUTS, LARGEST_INPUT, document_from_arrays
+from qovr_core.files.array_document import INPUTS, LARGEST_INPUT, NET_INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
 from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import NO_DATE, PROGRAM
 from qovr_core.files.reading import reading
-from qovr_core.geometry.knots import KnotTable
+from qovr_core.geometry.knots import Direction
 
 
 def surface_arrays(evaluation: Evaluation) -> dict[str, Any]:
     """Return the arrays of a surface by their public names.
 
-    Knots are (5, 4), or of a net (curves, windows, 4), in the order r s u t and r s v t.
+    Knots are (5, 4), or of a net (curves, windows, 4), in the order r s u t and r s v t. A net of more than one window
+    has the windows' lengths besides, which of its joints are smooth, and whether it is closed along u and along v.
     """
     document = evaluation.document
+    is_net = document.windows != (1, 1)
     return {
         "control_points": document.control_points,
-        "row_knots": _knots(document.row_knots),
-        "column_knots": _knots(document.column_knots),
+        "row_knots": document.row_knots.array if is_net else document.row_knots.array[:, 0],
+        "column_knots": document.column_knots.array if is_net else document.column_knots.array[:, 0],
         "u": evaluation.u,
         "v": evaluation.v,
         "raw": evaluation.raw,
@@ -44,20 +45,21 @@ def surface_arrays(evaluation: Evaluation) -> dict[str, Any]:
         "matrix": evaluation.matrix,
         "formulation": str(document.formulation),
         "program": PROGRAM,
-        **(_of_net(evaluation) if document.windows != (1, 1) else {}),
+        **(_of_net(evaluation) if is_net else {}),
     }
 
 
 def _of_net(evaluation: Evaluation) -> dict[str, Any]:
-    """Return what a net has besides: lengths of windows, and its joints."""
     document = evaluation.document
     lengths_u, lengths_v = (np.diff(breakpoints) for breakpoints in evaluation.patch.breakpoints)
-    joints = {f"joints_{name}": np.array([str(joint) for joint in getattr(document.joints, name)]) for name in "uv"}
-    return {"lengths_u": lengths_u, "lengths_v": lengths_v, **joints, "closed": np.array(list(document.closed))}
-
-
-def _knots(knots: KnotTable) -> Array:
-    return knots.array[:, 0] if knots.windows == 1 else knots.array
+    smooth_u, smooth_v = (document.joints.smooth(direction) for direction in Direction)
+    return {
+        "lengths_u": lengths_u,
+        "lengths_v": lengths_v,
+        "smooth_u": smooth_u,
+        "smooth_v": smooth_v,
+        "closed": np.array([document.is_closed(direction) for direction in Direction]),
+    }
 
 
 def write_npz(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions = DEFAULTS) -> None:
@@ -84,7 +86,7 @@ def read_npz(path: Path) -> Document:
     FileError : the file cannot be read, is no NumPy archive, or an array holds anything but what belongs there
     """
     with reading(path, "is no whole NumPy archive:") as file, opened_archive(file) as archive:
-        arrays = {name: _array(archive, name) for name in INPUTS if has(archive, f"{name}.npy")}
+        arrays = {name: _array(archive, name) for name in (*INPUTS, *NET_INPUTS) if has(archive, f"{name}.npy")}
     return document_from_arrays(arrays, path)
 
 
@@ -99,7 +101,7 @@ NPZ = Format(
 
 
 def _array(archive: zipfile.ZipFile, name: str) -> np.ndarray:
-    """Return an array of a few kilobytes; what its header promises is believed only where that many bytes are there."""
+    """Return an array of an input; what its header promises is believed only where that many bytes are there."""
     stored = content(archive, f"{name}.npy", LARGEST_INPUT)
     file = io.BytesIO(stored)
     version = np.lib.format.read_magic(file)

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+from itertools import chain
+from operator import itemgetter
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from qovr_core.checks import Verbatim, checked_knot, described
+from qovr_core.arrays import Array
+from qovr_core.checks import Verbatim, checked_knot, described, plain_numbers
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import DocumentError, quoted
@@ -176,7 +179,9 @@ def _curves(value: object, direction: Direction) -> list[Knots]:
     return [_knots(entry, f"{direction}[{k}]", direction.knot_letters) for k, entry in enumerate(value)]
 
 
-def _windows(value: object, direction: Direction) -> list[list[Knots]]:
+def _windows(value: object, direction: Direction) -> Array | list[list[Knots]]:
+    if (array := _plain_knots(value, direction.knot_letters)) is not None:
+        return array
     return [
         [
             _knots(each, f"{direction}[{k}][{window}]", direction.knot_letters)
@@ -184,6 +189,22 @@ def _windows(value: object, direction: Direction) -> list[list[Knots]]:
         ]
         for k, curve in enumerate(entries(value, direction))
     ]
+
+
+def _plain_knots(value: object, names: tuple[str, ...]) -> Array | None:
+    """Return the knots of a net, (curves, windows, 4), all at once; None where anything is to be looked at singly."""
+    if not isinstance(value, list) or {*map(type, value)} != {list} or len({*map(len, value)}) != 1:
+        return None
+    knots = list(chain.from_iterable(value))
+    if {*map(type, knots)} != {dict} or {*map(len, knots)} != {len(names)}:
+        return None
+    try:
+        numbers = plain_numbers(list(chain.from_iterable(map(itemgetter(*names), knots))))
+    except KeyError:
+        return None
+    if numbers is None or not ((numbers > 0) & (numbers < 1)).all():
+        return None
+    return numbers.reshape(len(value), -1, len(names))
 
 
 def _knots(value: object, place: str, names: tuple[str, ...]) -> Knots:
@@ -213,11 +234,11 @@ def _parsed(text: str) -> object:
 
 
 def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    entries: dict[str, Any] = {}
-    for key, value in pairs:
-        if key in entries:
-            raise DocumentError(quoted(key), "given twice", "each key once")
-        entries[key] = value
+    entries = dict(pairs)
+    if len(entries) < len(pairs):
+        keys = [key for key, _ in pairs]
+        repeated = next(key for k, key in enumerate(keys) if key in keys[:k])
+        raise DocumentError(quoted(repeated), "given twice", "each key once")
     return entries
 
 

@@ -142,8 +142,8 @@ def evaluate_pieces(coefficients: Array, along_u: PieceBasis, along_v: PieceBasi
             for piece, some in blocks:
                 np.matmul(along_u.values[some], table[piece - first], out=flat[some])
 
-        size = row_bytes * (along_u.starts[pieces.stop] - along_u.starts[first])
-        _over_blocks(_blocks(along_u, pieces, max(row_bytes, 1)), size, work)
+        _over_blocks(_blocks(along_u, pieces, max(row_bytes, 1)), points.nbytes, work)
+        del table, work  # before the next one is made
     return points
 
 

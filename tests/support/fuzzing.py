@@ -12,6 +12,7 @@ import signal
 import sys
 import time
 import zipfile
+from itertools import product
 from pathlib import Path
 
 from qovr_core import FileError, configure
@@ -19,6 +20,7 @@ from qovr_core.files import FORMATS, read_source
 from qovr_core.files.progress import silent
 from qovr_core.files.workbook_read import read_published_numbers
 from support.documents import random_document
+from support.nets import closed_net, random_net_document
 from support.zips import pack, parts_of
 
 MEGABYTES = 400
@@ -167,12 +169,15 @@ def outcome(read, path):
 def main():
     folder, seconds, seed = Path(sys.argv[1]), float(sys.argv[2]), int(sys.argv[3])
     logging.disable()  # what a reader has to say of a file that it reads all the same
-    document = random_document(seed, samples=(4, 3))
-    wholes = {}
-    for suffix in (suffix for suffix, entry in FORMATS.items() if entry.reader is not None):
-        FORMATS[suffix].write(configure(document), folder / f"whole{suffix}", silent)
-        wholes[suffix] = (folder / f"whole{suffix}").read_bytes()
-        assert outcome(lambda path: read_source(str(path)), folder / f"whole{suffix}") == ""
+    wholes = {suffix: [] for suffix, entry in FORMATS.items() if entry.reader is not None}
+    nets = random_net_document(seed, (2, 2), smooth=0.5, samples=(4, 4)), closed_net(seed, (1, 2), ("u",))
+    for suffix, document in product(wholes, (random_document(seed, samples=(4, 3)), *nets)):
+        if suffix == ".xlsx" and document.windows != (1, 1):
+            continue
+        path = folder / f"whole-{len(wholes[suffix])}{suffix}"
+        FORMATS[suffix].write(configure(document), path, silent)
+        wholes[suffix].append(path.read_bytes())
+        assert outcome(lambda path: read_source(str(path)), path) == ""
     used = int(Path("/proc/self/statm").read_text().split()[0]) * resource.getpagesize()
     resource.setrlimit(resource.RLIMIT_AS, (used + MEGABYTES * 10**6,) * 2)
     counts, deadline, number = dict.fromkeys(wholes, 0), time.monotonic() + seconds, 0
@@ -181,7 +186,7 @@ def main():
         rng = random.Random(f"{seed} {number}")
         suffix = rng.choice(list(wholes))
         path = folder / f"damaged{suffix}"
-        damage(rng, path, wholes[suffix])
+        damage(rng, path, rng.choice(wholes[suffix]))
         signal.alarm(LONGEST_SECONDS)
         outcome(lambda path: read_source(str(path)), path)
         if suffix == ".xlsx":
