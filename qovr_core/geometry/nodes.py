@@ -16,7 +16,7 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.errors import QovrError
-from qovr_core.geometry.windows import NET_SIZE, STEP, window_count
+from qovr_core.geometry.windows import NET_SIZE, STEP
 
 
 class Spacing(StrEnum):
@@ -106,12 +106,3 @@ def steps_of_points(net: Array, spacing: Spacing) -> Array:
     for k in np.nonzero(mean == 0)[0].tolist():
         raise QovrError(f"The points {k} and {k + 1} of every curve coincide; expected points apart, or uniform knots")
     return read_only(mean)
-
-
-def even_nodes(windows: int, start: float, end: float) -> Array:
-    """Return evenly spaced nodes (2 windows + 3,): the second at ``start``, the last but one at ``end``."""
-    step = (end - start) / (2 * windows)
-    nodes = start + step * np.arange(-1.0, 2 * windows + 2)
-    nodes[-2] = end
-    assert window_count(len(nodes)) == windows
-    return read_only(nodes)

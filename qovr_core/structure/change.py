@@ -21,7 +21,9 @@ from qovr_core.joints import joint_count
 MOST_WINDOWS = window_count(MOST_POINTS)
 
 _INTERVALS = 16
-"""Between the places of a window, each way, at which the motion of the surface is measured."""
+
+PLACES = read_only(np.linspace(0.0, 1.0, _INTERVALS + 1))
+"""The places of a window, each way, at which the motion of the surface is measured."""
 
 _ON_ONE_SURFACE = "{doing} needs windows that meet; those of the {name} formulation do not: choose interpolating first"
 
@@ -35,12 +37,13 @@ class NetChange:
     document : the next document
     motion : the largest distance of a point of the raw surface from where the same point was, measured on 17 x 17
         samples of every window it touches; None where windows do not meet, so that there is no one surface
-    origin : which column (for an edit along column curves: row) each one was before, -1 where it is new
+    origin : which column (for an edit along column curves: row) each one was before, -1 where it is new; None where
+        all are new
     """
 
     document: Document
     motion: float | None
-    origin: Indices
+    origin: Indices | None
 
 
 def unmoved_lines(document: Document, direction: Direction) -> Indices:
@@ -62,16 +65,15 @@ def motion_between(
     if not after.formulation.is_continuous:
         return None
     axis = 0 if direction is Direction.ROWS else 1
-    local = np.linspace(0.0, 1.0, _INTERVALS + 1)
-    places_before = [start + (end - start) * local for start, end in spans.values()]
-    places_after = [window + local for window in spans]
+    places_before = [start + (end - start) * PLACES for start, end in spans.values()]
+    places_after = [window + PLACES for window in spans]
     # a place on a joint is one point, of whichever window: these surfaces have no gaps
     sides = []
     for document, places in ((before, places_before), (after, places_after)):
         windows = document.windows[axis]
         across = np.linspace(0.0, windows, _INTERVALS * windows + 1)
         at = (np.concatenate(places), across)
-        sides.append(_by_windows(build_patch(document)).points(*(at if axis == 0 else at[::-1])))
+        sides.append(by_windows(build_patch(document)).points(*(at if axis == 0 else at[::-1])))
     return largest_distance(*sides)
 
 
@@ -112,6 +114,6 @@ def check_room(document: Document, direction: Direction) -> None:
         )
 
 
-def _by_windows(patch: Patch) -> Patch:
-    """Return the patch over windows of length 1."""
+def by_windows(patch: Patch) -> Patch:
+    """Return the patch over windows of length 1, so that its parameters are window + place in it."""
     return Patch(patch.coefficients, patch.degree)

@@ -153,10 +153,9 @@ def _appended(document: Document) -> NetChange:
 
 
 def _prepended(document: Document) -> NetChange:
-    change = _appended(from_the_end(document))
-    last = document.control_points.shape[1] - 1
-    origin = np.where(change.origin < 0, -1, last - change.origin)[::-1]
-    return NetChange(from_the_end(change.document), 0.0, read_only(origin))
+    after = from_the_end(_appended(from_the_end(document)).document)
+    columns = document.control_points.shape[1]
+    return NetChange(after, 0.0, read_only(np.concatenate([[-1, -1], np.arange(columns)])))
 
 
 def _halfway(document: Document, b: int) -> Array:
