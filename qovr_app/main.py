@@ -56,9 +56,9 @@ def create_window(path: str | None = None) -> MainWindow:
 
     Parameters
     ----------
-    path : a ``.qovr`` file, a workbook in the published layout, ``paper:NAME`` or ``shape:NAME``; None for the paper's example,
-        which is also shown where the source cannot be read: then the message line says why. What is large comes when
-        the window is shown.
+    path : a ``.qovr`` file, a workbook in the published layout, ``paper:NAME`` or ``shape:NAME``; None for the paper's
+        example, which is also shown where the source cannot be read: then the message line says why. What is large
+        comes when the window is shown.
     """
     from PySide6.QtCore import QTimer
 
