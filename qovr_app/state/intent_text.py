@@ -19,6 +19,7 @@ from qovr_app.state import (
     intents,
     knot_intents,
     looking_intents,
+    net_intents,
     point_intents,
     requests,
     tools,
@@ -28,11 +29,12 @@ from qovr_app.state.intents import Intent
 from qovr_core import Document, edits, net_edits, net_moves, symmetry
 from qovr_core.errors import DocumentError
 from qovr_core.files.qovr_document import document_from_json, document_to_json
+from qovr_core.geometry import nodes
 
 _KIND, _VALUE = "is", "value"
 
-_INTENTS = intents, field_intents, knot_intents, looking_intents, point_intents, requests
-_MODULES = *_INTENTS, view_requests, display, tools, edits, net_edits, net_moves, symmetry
+_INTENTS = intents, field_intents, knot_intents, looking_intents, net_intents, point_intents, requests
+_MODULES = *_INTENTS, view_requests, display, tools, edits, nodes, net_edits, net_moves, symmetry
 
 _KINDS: dict[str, Any] = {
     name: kind

@@ -12,6 +12,7 @@ from qovr_app.state.looking_intents import PaperLookChosen, RangeFixed
 from qovr_app.store import Store
 from qovr_app.window.clipboard import Clipboard
 from qovr_app.window.layout import Layout
+from qovr_app.window.net_shell import NetShell
 from qovr_app.window.saved_views import SavedViews, SavedViewsShell
 from qovr_app.window.shell import Answers
 from qovr_app.window.transforming import ask_symmetry, ask_transform
@@ -26,6 +27,7 @@ class LayoutShell:
         clipboard = Clipboard(layout, store)
         self.answers: Answers = {
             **UnderlayShell(store, window).answers,
+            **NetShell(store, window).answers,
             **SavedViewsShell(views, store, layout.view_frame, window).answers,
             requests.CopyAsked: clipboard.copy,
             requests.PasteAsked: clipboard.paste,

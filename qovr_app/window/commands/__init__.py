@@ -4,6 +4,7 @@ from qovr_app.window.commands.command import Command
 from qovr_app.window.commands.document import edit_commands, file_commands, preference_commands, surface_commands
 from qovr_app.window.commands.fields import field_commands
 from qovr_app.window.commands.hiding import hiding_commands
+from qovr_app.window.commands.net import net_commands
 from qovr_app.window.commands.net_windows import net_window_commands
 from qovr_app.window.commands.points import point_commands, selection_commands
 from qovr_app.window.commands.tools import go_commands, help_commands, laboratory_commands, probe_commands
@@ -24,6 +25,7 @@ def command_table() -> tuple[Command, ...]:
         *point_commands(),
         *hiding_commands(),
         *tool_commands(),
+        *net_commands(),
         *surface_commands(),
         *view_commands(),
         *go_commands(),

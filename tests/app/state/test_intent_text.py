@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from qovr_app.state import intents, knot_intents, looking_intents, point_intents, requests
+from qovr_app.state import intents, knot_intents, looking_intents, net_intents, point_intents, requests
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.intent_text import intent_of, intent_text
@@ -16,6 +16,7 @@ from qovr_app.state.next_state import next_state
 from qovr_app.state.tools import Way
 from qovr_core import DocumentError
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone
+from qovr_core.geometry.nodes import Spacing
 from qovr_core.net_edits import About, Align, Flatten, Plane, Smooth, Transform
 from qovr_core.presets import preset
 from qovr_core.symmetry import Source
@@ -65,6 +66,23 @@ EXAMPLES = {
     point_intents.MadeSymmetric: st.builds(
         point_intents.MadeSymmetric, st.sampled_from(Direction), st.sampled_from(Source)
     ),
+    **{
+        kind: st.builds(kind, st.sampled_from(Direction), st.integers(0, 9))
+        for kind in (
+            net_intents.WindowInserted,
+            net_intents.WindowRemoved,
+            net_intents.JointSmoothed,
+            net_intents.JointSharpened,
+        )
+    },
+    net_intents.WindowAppended: st.builds(net_intents.WindowAppended, st.sampled_from(Direction), st.booleans()),
+    net_intents.WindowExtracted: st.builds(net_intents.WindowExtracted, INDICES),
+    net_intents.JointCreased: st.builds(
+        net_intents.JointCreased, st.sampled_from(Direction), st.integers(0, 9), NUMBERS, GESTURES
+    ),
+    net_intents.KnotsSpaced: st.builds(net_intents.KnotsSpaced, st.sampled_from(Direction), st.sampled_from(Spacing)),
+    net_intents.NetReversed: st.builds(net_intents.NetReversed, st.sampled_from(Direction)),
+    net_intents.NetResampled: st.builds(net_intents.NetResampled, INDICES, st.booleans(), GESTURES),
     looking_intents.Selected: st.builds(
         looking_intents.Selected,
         st.none() | INDICES,
@@ -89,7 +107,7 @@ EXAMPLES = {
 
 
 def kinds():
-    for module in (intents, knot_intents, looking_intents, point_intents, requests):
+    for module in (intents, knot_intents, looking_intents, net_intents, point_intents, requests):
         for _, kind in inspect.getmembers(module, inspect.isclass):
             if dataclasses.is_dataclass(kind) and kind.__module__ == module.__name__:
                 yield kind
