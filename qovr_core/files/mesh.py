@@ -7,18 +7,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-import numpy.typing as npt
 
-from qovr_core.arrays import Array
+from qovr_core.arrays import Array, Indices
 from qovr_core.errors import EvaluationError, FileError
-from qovr_core.evaluation import Evaluation, parameters
-from qovr_core.files import bspline, tessellation
+from qovr_core.evaluation import Evaluation
+from qovr_core.files import bspline, tessellation, welding
+from qovr_core.files.mesh_grid import MeshGrid, Numbers
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
-from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.patch import Patch
-
-Indices = npt.NDArray[np.int32]
 
 BLOCK = 1 << 16
 """Vertices or faces handled at a time: small beside the mesh, large beside the cost of a call."""
@@ -29,17 +26,11 @@ MESHED = 0.5
 FLOAT32_ROUNDING = 2.0**-24 * np.sqrt(3.0)
 """How far rounding to 32 bits moves a point, as a part of its largest coordinate."""
 
-_WELDED = 1e-12
-"""Edges closer than this part of the surface's size are the same points, moved by rounding."""
-
 _NO_AREA = 2e-15
 """Twice a triangle's area is rounding below this part of the surface's size times how far its points reach."""
 
 _FLOAT32_SIZES = (1e-30, 1e38)
 """Between these a surface's coordinates stay normal 32-bit numbers of full precision."""
-
-_SAME_NORMAL = 1e-6
-"""Normals closer than this are shared where vertices are; those of a crease differ by far more."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,10 +48,10 @@ class Mesh:
     """
 
     points: Array
-    faces: Indices
+    faces: Numbers
     normals: Array
-    corners: Indices
-    places: Indices
+    corners: Numbers
+    places: Numbers
     deviation: float | None
 
     @property
@@ -86,15 +77,17 @@ def build_mesh(
     patch = bspline.chosen_patch(evaluation, options, path)
     progress(0.0)
     measured = None
+    is_joined = evaluation.document.formulation.is_continuous or patch.windows == (1, 1)
     if options.tolerance is None:
-        u, v, points = evaluation.u, evaluation.v, options.chosen_samples(evaluation)
+        grid = MeshGrid.of(evaluation.document.intervals, is_joined)
+        points = grid.spread(options.chosen_samples(evaluation)) if is_joined else grid.points(patch)
     else:
-        u, v = _fine_grid(patch, options.tolerance, rounding, path)
-        points = patch.points(u, v)
-        measured = tessellation.deviation(patch, points) + rounding
-    normals = _normals(patch, u, v, progress)
-    mesh = _welded(patch, points, normals, measured)
-    _check_area(patch, mesh, (len(u), len(v)), path)
+        grid = MeshGrid.of(_intervals(patch, options.tolerance, rounding, path), is_joined)
+        points = grid.points(patch)
+        measured = tessellation.deviation(patch, grid, points) + rounding
+    normals = _normals(patch, grid, progress)
+    mesh = _welded(patch, grid, points, normals, measured)
+    _check_area(patch, mesh, grid, path)
     progress(MESHED)
     return mesh
 
@@ -122,19 +115,18 @@ def check_float32(points: Array, metres: float, path: Path) -> None:
         raise FileError(f"{path}: the mesh is {size:.3g} across; expected {least:g} to {most:g} for 32-bit coordinates")
 
 
-def _fine_grid(patch: Patch, tolerance: float, rounding: float, path: Path) -> tuple[Array, Array]:
+def _intervals(patch: Patch, tolerance: float, rounding: float, path: Path) -> tuple[Indices, Indices]:
     if tolerance <= 2 * rounding:
         raise FileError(
             f"{path}: a tolerance of {tolerance:g} is lost in 32-bit coordinates; expected at least {4 * rounding:.2g}"
         )
     try:
-        n, m = tessellation.samples_within(patch, tolerance - rounding)
+        return tessellation.intervals_within(patch, tolerance - rounding)
     except EvaluationError as error:
         raise FileError(f"{path}: {error}") from error
-    return parameters(n), parameters(m)
 
 
-def _check_area(patch: Patch, mesh: Mesh, samples: tuple[int, int], path: Path) -> None:
+def _check_area(patch: Patch, mesh: Mesh, grid: MeshGrid, path: Path) -> None:
     """Refuse triangles none of which has an area beyond the rounding of its corners."""
     size = bspline.diagonal(patch.coefficients)
     reach = max(1.0, float(np.abs(mesh.points).max(initial=0.0)) / size)
@@ -142,31 +134,32 @@ def _check_area(patch: Patch, mesh: Mesh, samples: tuple[int, int], path: Path) 
         a, b, c = np.moveaxis(mesh.points[mesh.faces[part]], 1, 0)
         if np.linalg.norm(np.cross((b - a) / size, (c - a) / size), axis=-1).max() > _NO_AREA * reach:
             return
-    n, m = samples
+    n, m = (int(axis.intervals.sum()) + 1 for axis in (grid.u, grid.v))
     raise FileError(f"{path}: at {n} x {m} samples the mesh has no area; expected more samples, or a tolerance")
 
 
-def _normals(patch: Patch, u: Array, v: Array, progress: Progress) -> Array:
-    normals = np.empty((len(u), len(v), 3))
-    step = max(1, BLOCK // len(v))
-    for start in range(0, len(u), step):
-        rows = slice(start, start + step)
-        normals[rows] = patch.normals(u[rows], v)
-        progress(MESHED * min(start + step, len(u)) / len(u))
+def _normals(patch: Patch, grid: MeshGrid, progress: Progress) -> Array:
+    normals = np.empty((*grid.shape, 3))
+    step = max(1, BLOCK // len(grid.v))
+    for window in range(len(grid.u.intervals)):
+        column, of_column = grid.column(patch, window), normals[grid.u.samples(window)]
+        u = grid.u.window(window).located
+        for start in range(0, len(of_column), step):
+            rows = slice(start, start + step)
+            of_column[rows] = column.normals(u[rows], grid.v.located)
+            progress(MESHED * min(grid.u.starts[window] + start + step, len(grid.u)) / len(grid.u))
     return normals
 
 
-def _welded(patch: Patch, points: Array, normals: Array, measured: float | None) -> Mesh:
-    """Make one vertex of grid points that are the same place, and drop triangles that have no area by it."""
-    edges = bspline.outline(patch.coefficients[0, 0], _WELDED * bspline.diagonal(patch.coefficients))
-    shape = points.shape[:2]
+def _welded(patch: Patch, grid: MeshGrid, points: Array, normals: Array, measured: float | None) -> Mesh:
+    """Make one vertex of those that are the same place, and drop triangles that have no area by it."""
+    joints, seams = welding.joints(grid), welding.seams(grid, patch)
     points, normals = points.reshape(-1, 3), normals.reshape(-1, 3)
-    groups = _groups(edges, shape)
-    place = _joined(shape, groups)
-    faces = _triangles(place)
-    if not groups:
+    place = welding.one_place(grid, joints + seams)
+    faces = grid.triangles(place)
+    if not joints + seams:
         return Mesh(points, faces, normals, faces, place.ravel(), measured)
-    corners = _triangles(_joined(shape, [group for group in groups if _agree(normals, group)]))
+    corners = grid.triangles(welding.one_place(grid, welding.of_one_normal(normals, joints, seams)))
     kept = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
     used, faces = _compact(faces[kept])
     standing, corners = _compact(corners[kept])
@@ -174,46 +167,7 @@ def _welded(patch: Patch, points: Array, normals: Array, measured: float | None)
     return Mesh(points[used], faces, normals[standing], corners, places, measured)
 
 
-def _groups(edges: bspline.Outline, shape: tuple[int, int]) -> list[Indices]:
-    """Return the sets of flat grid indices, each (g, ...), whose first axis is one place."""
-    grid = np.arange(shape[0] * shape[1], dtype=np.int32).reshape(shape)
-    sides = {edge: grid[edge.position] for edge in Edge}
-    groups = [sides[edge][:, None] for edge in Edge if edge in edges.collapsed]
-    if edges.closed_u:
-        groups.append(np.stack([sides[Edge.U0], sides[Edge.U1]]))
-    if edges.closed_v:
-        groups.append(np.stack([sides[Edge.V0], sides[Edge.V1]]))
-    return groups
-
-
-def _joined(shape: tuple[int, int], groups: list[Indices]) -> Indices:
-    """Return for every grid point the smallest index of those that are one place with it, (n, m)."""
-    smallest = np.arange(shape[0] * shape[1], dtype=np.int32)
-    changed = bool(groups)
-    while changed:  # groups share corners, so that joining one may lengthen another
-        before = smallest.copy()
-        for group in groups:
-            smallest[group] = smallest[group].min(axis=0)
-        changed = bool((before != smallest).any())
-    return smallest.reshape(shape)
-
-
-def _agree(normals: Array, group: Indices) -> bool:
-    there = normals[group]
-    return bool(np.abs(there - there[:1]).max() <= _SAME_NORMAL)
-
-
-def _triangles(index: Indices) -> Indices:
-    """Return two triangles a cell as entries of ``index``, (f, 3)."""
-    a, b, c, d = index[:-1, :-1], index[1:, :-1], index[1:, 1:], index[:-1, 1:]
-    faces = np.empty((*a.shape, 2, 3), dtype=np.int32)
-    for triangle, corners in enumerate(((a, b, c), (a, c, d))):
-        for k, corner in enumerate(corners):
-            faces[:, :, triangle, k] = corner
-    return faces.reshape(-1, 3)
-
-
-def _compact(faces: Indices) -> tuple[Indices, Indices]:
+def _compact(faces: Numbers) -> tuple[Numbers, Numbers]:
     """Return the indices in use, ascending, and the faces renumbered among them."""
     used, inverse = np.unique(faces, return_inverse=True)
     return used, inverse.reshape(-1, 3).astype(np.int32)

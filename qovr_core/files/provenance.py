@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from datetime import UTC, datetime
+from textwrap import wrap
 
 from qovr_core.checks import described
 from qovr_core.errors import DocumentError
@@ -16,6 +17,9 @@ PROGRAM = f"QOVR Studio {VERSION}"
 
 NO_DATE = datetime(1980, 1, 1)
 """The first day that a ZIP archive can tell, which nobody takes for the day on which a file was made."""
+
+_LONGEST_COMMENT = 900
+"""Characters of a line in a mesh; some readers of PLY hold no more than a thousand."""
 
 _EPOCH = "SOURCE_DATE_EPOCH"
 """The variable by which builds that are to be reproduced say what time it is."""
@@ -55,4 +59,10 @@ def mesh_comments(evaluation: Evaluation, options: ExportOptions, deviation: flo
     lines = [origin(evaluation, options)]
     if deviation is not None:
         lines.append(f"largest distance from the surface {deviation:.3g}, asked for {options.tolerance:g}")
-    return [*lines, "the document:", *document_to_json(evaluation.document).splitlines()]
+    text = document_to_json(evaluation.document).splitlines()
+    return [*lines, "the document:", *(part for line in text for part in _short(line))]
+
+
+def _short(line: str) -> list[str]:
+    """Return a line of JSON, of which only spaces part the numbers, as lines that every reader holds."""
+    return [line] if len(line) <= _LONGEST_COMMENT else wrap(line, _LONGEST_COMMENT, break_long_words=False)

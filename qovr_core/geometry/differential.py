@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from typing import Protocol
 
 import numpy as np
@@ -12,6 +14,9 @@ from qovr_core.arrays import Array, read_only
 
 Domain = tuple[tuple[float, float], tuple[float, float]]
 """The first and the last parameter along u, and along v."""
+
+Derivative = Callable[[int, int], Array]
+"""Gives a partial derivative of orders in u and in v on some grid, (n, m, 3)."""
 
 
 class ParametricSurface(Protocol):
@@ -127,23 +132,37 @@ def normals(surface: ParametricSurface, u: npt.ArrayLike, v: npt.ArrayLike, *, s
     ------
     ValueError : u or v is not one-dimensional
     """
-    vectors = np.cross(surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1))
+    to_u, to_v = (
+        sum(ends) / 2 - np.asarray(x, dtype=np.float64) for x, ends in zip((u, v), surface.domain, strict=True)
+    )
+    return unit_normals(partial(surface.derivative, u, v), (to_u, to_v), singular=singular)
+
+
+def unit_normals(derivative: Derivative, inward: tuple[Array, Array], *, singular: float) -> Array:
+    """Return the unit normals on a grid, as ``normals`` does.
+
+    Parameters
+    ----------
+    derivative : gives the partial derivative of an order in u and in v on the grid, (n, m, 3)
+    inward : (n,) and (m,) the way on which limits are taken
+    singular : the length of S_u x S_v up to which the tangents count as dependent
+    """
+    vectors = np.cross(derivative(1, 0), derivative(0, 1))
     lengths = np.linalg.norm(vectors, axis=-1)
     is_singular = lengths <= singular
     if is_singular.any():
-        inward = _normals_inward(surface, np.asarray(u, dtype=np.float64), np.asarray(v, dtype=np.float64), singular)
-        vectors[is_singular] = inward[is_singular]
+        limits = _normals_inward(derivative, inward, singular)
+        vectors[is_singular] = limits[is_singular]
         lengths[is_singular] = 1
     vectors /= lengths[..., None]
     return read_only(vectors)
 
 
-def _normals_inward(surface: ParametricSurface, u: Array, v: Array, singular: float) -> Array:
-    """Return the unit derivative of S_u x S_v toward the domain's centre; (0, 0, 1) where it vanishes."""
-    middle_u, middle_v = (sum(ends) / 2 for ends in surface.domain)
-    su, sv = surface.derivative(u, v, 1, 0), surface.derivative(u, v, 0, 1)
-    suu, suv, svv = (surface.derivative(u, v, *orders) for orders in ((2, 0), (1, 1), (0, 2)))
-    to_u, to_v = (middle_u - u)[:, None, None], (middle_v - v)[None, :, None]
+def _normals_inward(derivative: Derivative, inward: tuple[Array, Array], singular: float) -> Array:
+    """Return the unit derivative of S_u x S_v on the way inward; (0, 0, 1) where it vanishes."""
+    su, sv = derivative(1, 0), derivative(0, 1)
+    suu, suv, svv = (derivative(*orders) for orders in ((2, 0), (1, 1), (0, 2)))
+    to_u, to_v = inward[0][:, None, None], inward[1][None, :, None]
     vectors: Array = to_u * (np.cross(suu, sv) + np.cross(su, suv))
     vectors += to_v * (np.cross(suv, sv) + np.cross(su, svv))
     lengths = np.linalg.norm(vectors, axis=-1)

@@ -28,9 +28,22 @@ class Located:
     lengths: Array
 
     @property
+    def to_middle(self) -> Array:
+        """How far the middle of its window is from each, (k,), by the window's own parameter."""
+        return 0.5 - self.local
+
+    @property
+    def by_own_parameter(self) -> Located:
+        """The same with windows of length 1, so that derivatives are those by each window's own parameter."""
+        return Located(self.window, self.local, np.ones(len(self.lengths)))
+
+    @property
     def place(self) -> Array:
         """The window plus where in it, (k,)."""
         return read_only(self.window + self.local)
+
+    def __getitem__(self, part: slice) -> Located:
+        return Located(self.window[part], self.local[part], self.lengths)
 
     def basis(self, degree: int, order: int) -> Array:
         """Return the functions (k, degree + 1) with which a derivative's coefficients are summed, by the parameter."""
@@ -48,6 +61,10 @@ class Located:
             values, window = values[ordered], window[ordered]
         starts = np.searchsorted(window, np.arange(len(self.lengths) + 1))
         return PieceBasis(values, starts.tolist()), ordered
+
+
+Parameters = npt.ArrayLike | Located
+"""Parameters of one direction, (k,); those of joints are told from which side where they are located."""
 
 
 def located(parameters: npt.ArrayLike, breakpoints: Array) -> Located:
@@ -70,6 +87,14 @@ def located(parameters: npt.ArrayLike, breakpoints: Array) -> Located:
     return Located(window, (x - breakpoints[window]) / lengths[window], lengths)
 
 
+def of_grid(u: Parameters, v: Parameters, breakpoints: tuple[Array, Array]) -> tuple[Located, Located]:
+    """Return where the parameters of a grid lie, along u and along v; see ``located``."""
+    at_u, at_v = (
+        at if isinstance(at, Located) else located(at, ends) for at, ends in zip((u, v), breakpoints, strict=True)
+    )
+    return at_u, at_v
+
+
 def spread(samples: int, windows: int) -> Indices:
     """Return how many of the intervals between samples fall to each window: nearly equal, the larger counts first.
 
@@ -84,10 +109,13 @@ def spread(samples: int, windows: int) -> Indices:
     return intervals
 
 
-def even(intervals: Indices) -> Located:
-    """Return the evenly spaced parameters of each window, with so many intervals; the joints once."""
-    lengths = np.ones(len(intervals))
+def even(intervals: Indices, *, from_both_sides: bool = False) -> Located:
+    """Return the evenly spaced parameters of each window, with so many intervals; the joints once, or from both sides.
+
+    The windows count as of length 1, so that derivatives are those by each window's own parameter.
+    """
     local = [np.linspace(0.0, 1.0, count + 1) for count in intervals.tolist()]
-    inner = [places[:-1] for places in local[:-1]]
-    window = np.repeat(np.arange(len(intervals)), [len(places) for places in (*inner, local[-1])])
-    return Located(window, read_only(np.concatenate([*inner, local[-1]])), lengths)
+    if not from_both_sides:
+        local[:-1] = [places[:-1] for places in local[:-1]]
+    window = np.repeat(np.arange(len(intervals)), [len(places) for places in local])
+    return Located(window, read_only(np.concatenate(local)), np.ones(len(intervals)))

@@ -13,6 +13,7 @@ from qovr_core.arrays import Array, Indices, read_only
 from qovr_core.geometry import bernstein, differential, extent, grid, locate, sampled_box
 from qovr_core.geometry.differential import Curvature, Domain
 from qovr_core.geometry.edges import Edge
+from qovr_core.geometry.locate import Parameters
 
 PATCH_DEGREE = 6
 """Degree each way in which every patch is held, whatever its true degree."""
@@ -101,7 +102,7 @@ class Patch:
         """Return the patch of one window, the a-th along v and the b-th along u, over [0, 1] x [0, 1]."""
         return Patch(self.coefficients[a, b], self.degree)
 
-    def points(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
+    def points(self, u: Parameters, v: Parameters) -> Array:
         """Return the points S(u, v) on a grid.
 
         Parameters
@@ -142,7 +143,7 @@ class Patch:
         """
         return read_only(sampled_box.sampled_box(self.coefficients, intervals_u, intervals_v))
 
-    def derivative(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+    def derivative(self, u: Parameters, v: Parameters, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S on a grid; on a joint that of the window which begins there.
 
         Parameters
@@ -158,8 +159,7 @@ class Patch:
         ------
         ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
         """
-        at_u, at_v = (locate.located(*each) for each in zip((u, v), self.breakpoints, strict=True))
-        return self._on_grid(at_u, at_v, (order_u, order_v))
+        return self._on_grid(*locate.of_grid(u, v, self.breakpoints), (order_u, order_v))
 
     def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S at scattered parameters, as ``derivative`` does on a grid.
@@ -178,14 +178,19 @@ class Patch:
         ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
         """
         coefficients = self._differentiated(order_u, order_v)
-        at_u, at_v = (locate.located(*each) for each in zip((u, v), self.breakpoints, strict=True))
+        at_u, at_v = locate.of_grid(u, v, self.breakpoints)
         basis_u = at_u.basis(PATCH_DEGREE - order_u, order_u)
         basis_v = at_v.basis(PATCH_DEGREE - order_v, order_v)
         return read_only(grid.evaluate_scattered_pieces(coefficients, (at_v.window, at_u.window), basis_u, basis_v))
 
-    def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
-        """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""
-        return differential.normals(self, u, v, singular=self._rounding_of_a_normal())
+    def normals(self, u: Parameters, v: Parameters) -> Array:
+        """Return the unit normals along S_u x S_v, (n, m, 3), limits taken in windows; see ``differential.normals``."""
+        at_u, at_v = (at.by_own_parameter for at in locate.of_grid(u, v, self.breakpoints))
+        return differential.unit_normals(
+            lambda order_u, order_v: self._on_grid(at_u, at_v, (order_u, order_v)),
+            (at_u.to_middle, at_v.to_middle),
+            singular=self._rounding_of_a_normal(),
+        )
 
     def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
         """Return the curvatures on a grid, from the two fundamental forms; parameters as for ``points``."""

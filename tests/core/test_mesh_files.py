@@ -12,6 +12,7 @@ from qovr_core import FORMULATIONS, Formulation, Patch, configure
 from qovr_core.colours import height_colours, linear
 from qovr_core.errors import FileError
 from qovr_core.files import ExportOptions, format_for, stl, tessellation
+from qovr_core.files.mesh_grid import MeshGrid
 from qovr_core.files.progress import silent
 from qovr_core.files.qovr_document import document_from_json
 from support.documents import random_document
@@ -294,10 +295,9 @@ def test_the_grid_is_fine_enough_and_not_wastefully_fine(seed):
     patch = configure(of_degree(60 + seed, 6, 6)).patch
     size = diagonal(patch.coefficients[0, 0])
     tolerance = 1e-4 * size
-    n, m = tessellation.samples_within(patch, tolerance)
-    u, v = np.linspace(0, 1, n), np.linspace(0, 1, m)
-    points = patch.points(u, v)
-    measured = tessellation.deviation(patch, points)
+    grid = MeshGrid.of(tessellation.intervals_within(patch, tolerance), is_joined=True)
+    n, m = grid.shape
+    measured = tessellation.deviation(patch, grid, grid.points(patch))
     assert measured <= tolerance
     assert measured >= 0.3 * tolerance
     dense = 4
@@ -322,8 +322,9 @@ def interpolation_error(fine, dense):
 def test_a_flat_bilinear_surface_needs_one_cell():
     a = np.linspace(0, 1, 7)
     flat = Patch(np.stack(np.broadcast_arrays(a[:, None], a[None, :], 0 * a[None, :]), axis=-1))
-    assert tessellation.samples_within(flat, 1e-3) == (2, 2)
-    assert tessellation.deviation(flat, flat.points([0, 1], [0, 1])) <= 1e-15
+    grid = MeshGrid.of(tessellation.intervals_within(flat, 1e-3), is_joined=True)
+    assert grid.shape == (2, 2)
+    assert tessellation.deviation(flat, grid, grid.points(flat)) <= 1e-15
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
