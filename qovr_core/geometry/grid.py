@@ -81,7 +81,7 @@ def _pool() -> ThreadPoolExecutor:
 def _over_blocks(blocks: list[_Block], size: int, work: Callable[[list[_Block]], _Partial]) -> list[_Partial]:
     """Run ``work`` on blocks, in as many threads as the size of their result, in bytes, is worth."""
     workers = min(_threads(), len(blocks)) if size >= THREADED_BYTES else 1
-    if workers == 1:
+    if workers <= 1:  # none where pieces are so short that no parameter lies in them
         return [work(blocks)]
     cuts = [len(blocks) * k // workers for k in range(workers + 1)]
     others = [_pool().submit(work, blocks[a:b]) for a, b in pairwise(cuts[1:])]

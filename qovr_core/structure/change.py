@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from qovr_core.arrays import Array, Indices, read_only
-from qovr_core.construction import build_patch
+from qovr_core.construction import document_arrays, overflow_error
 from qovr_core.document import MOST_POINTS, Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import QovrError
 from qovr_core.formulations import Formulation
+from qovr_core.geometry import bernstein
 from qovr_core.geometry.knots import Direction
-from qovr_core.geometry.patch import Patch
+from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 from qovr_core.geometry.windows import window_count
 from qovr_core.joints import joint_count
 
@@ -61,20 +62,44 @@ def motion_between(
     direction : along whose curves windows were changed
     spans : for every window along them in ``after`` that is touched, which part of ``before`` it was: from where to
         where, each as window + place in it
+
+    Raises
+    ------
+    EvaluationError : coordinates overflow there
     """
     if not after.formulation.is_continuous:
         return None
-    axis = 0 if direction is Direction.ROWS else 1
-    places_before = [start + (end - start) * PLACES for start, end in spans.values()]
-    places_after = [window + PLACES for window in spans]
-    # a place on a joint is one point, of whichever window: these surfaces have no gaps
-    sides = []
-    for document, places in ((before, places_before), (after, places_after)):
-        windows = document.windows[axis]
-        across = np.linspace(0.0, windows, _INTERVALS * windows + 1)
-        at = (np.concatenate(places), across)
-        sides.append(by_windows(build_patch(document)).points(*(at if axis == 0 else at[::-1])))
+    sides = (
+        _points(document, direction, parts)
+        for document, parts in ((before, list(spans.values())), (after, [(window, window + 1) for window in spans]))
+    )
     return largest_distance(*sides)
+
+
+def _points(document: Document, direction: Direction, parts: Sequence[tuple[float, float]]) -> Array:
+    """Return points of some parts of windows along the curves of a direction, in all windows beside each other.
+
+    Returns
+    -------
+    (parts, places along, windows across, places across, 3) float64
+    """
+    windows = [int((start + end) / 2) for start, end in parts]
+    chosen = (slice(None), windows) if direction is Direction.ROWS else (windows, slice(None))
+    with np.errstate(all="ignore"):  # what overflows is refused just below, in words
+        coefficients = document.formulation.build(*(array[chosen] for array in document_arrays(document)))
+    if not np.isfinite(coefficients).all():
+        raise overflow_error(document)
+    if direction is Direction.COLUMNS:
+        coefficients = coefficients.transpose(1, 0, 3, 2, 4)
+    along = [
+        bernstein.basis(PATCH_DEGREE, start - window + (end - start) * PLACES)
+        for (start, end), window in zip(parts, windows, strict=True)
+    ]
+    across = bernstein.basis(PATCH_DEGREE, PLACES)
+    m, n, degrees = *coefficients.shape[:2], PATCH_DEGREE + 1
+    curves = np.stack(along) @ coefficients.transpose(1, 2, 0, 4, 3).reshape(n, degrees, -1)
+    points = curves.reshape(n, len(PLACES), m, 3, degrees) @ across.T
+    return np.moveaxis(points, 3, -1)
 
 
 def largest_distance(points: Array, others: Array) -> float:

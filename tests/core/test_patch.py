@@ -192,3 +192,11 @@ def test_refusals():
         PLANE.points(0.5, V)
     with pytest.raises(ValueError, match="orders are -1 and 0"):
         PLANE.derivative(U, V, -1, 0)
+
+
+def test_a_fine_grid_passes_over_windows_in_which_no_parameter_lies():
+    lengths = np.where(np.arange(40) == 39, 1.0, 1e-6)
+    coefficients = np.random.default_rng(1).random((1, 40, 7, 7, 3))
+    patch = Patch(coefficients, (6, 6), (lengths, np.ones(1)))
+    u, v = np.linspace(*patch.domain[0], 60), np.linspace(0, 1, 3000)
+    np.testing.assert_allclose(patch.points(u, v)[-1], patch.window(0, 39).points([1.0], v)[0], atol=1e-13)
