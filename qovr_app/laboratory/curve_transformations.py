@@ -5,8 +5,8 @@ from __future__ import annotations
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.laboratory.curve_functions import legend_of
+from qovr_app.state.focus import in_window
 from qovr_app.state.knot_in_hand import KnotInHand
-from qovr_app.state.knot_links import window_along
 from qovr_app.store import Store
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.theme import KNOT_SERIES
@@ -23,9 +23,9 @@ class TransformationsPlot(KnotPlot):
         super().__init__("laboratory.curve.transformations", store, parent)
 
     def show_part(self, curve: OneCurve) -> None:
-        """Show the transformations of a curve."""
-        window = window_along(self._store.state.window, curve.direction)
-        self.show_curve(KnotInHand(KnotPlace(curve.direction, curve.number, "u"), window, curve.knots))
+        """Show the transformations of a curve of the window in focus."""
+        place = in_window(KnotPlace(curve.direction, curve.number, "u"), self._store.shown.window)
+        self.show_curve(KnotInHand(place, curve.knots))
 
     def legend(self, values: Array | None = None, *, decimals: int = 3, named: bool = True) -> list[str]:
         """Return r, s and t in their colours as rich text, with their values where they are given."""

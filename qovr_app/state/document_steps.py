@@ -8,7 +8,7 @@ from dataclasses import replace
 from qovr_app.state import intents
 from qovr_app.state.display import LayerChoice
 from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_message
-from qovr_app.state.focus import fitted, with_focus
+from qovr_app.state.focus import fitted, places_in, with_focus
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
@@ -51,7 +51,8 @@ def text_typed(state: EditorState, intent: intents.TextTyped) -> EditorState:
 
 def zone_set(state: EditorState, intent: intents.ZoneSet) -> EditorState:
     draft = edits.set_values(state.draft, intent.typed)
-    document = edits.copy_zone(draft, state.document, intent.zone)
+    wanted = {place: value_at(draft, place) for place in places_in(intent.zone, state.window)}
+    document = edits.set_values(state.document, wanted)
     state = replace(state, draft=draft, texts=_without(state.texts, intent.typed))
     return with_document(state, f"Set {ZONE_TITLES[intent.zone].lower()}", document, intent)
 
@@ -63,8 +64,8 @@ def pending_set(state: EditorState, intent: intents.PendingSet) -> EditorState:
 
 
 def zone_read(state: EditorState, intent: intents.ZoneRead) -> EditorState:
-    texts = {place: text for place, text in state.texts.items() if edits.zone_of(place) is not intent.zone}
-    return replace(state, draft=edits.copy_zone(state.document, state.draft, intent.zone), texts=texts)
+    active = {place: value_at(state.document, place) for place in places_in(intent.zone, state.window)}
+    return replace(state, draft=edits.set_values(state.draft, active), texts=_without(state.texts, active))
 
 
 def formulation_chosen(state: EditorState, intent: intents.FormulationChosen) -> EditorState:

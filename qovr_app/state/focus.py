@@ -3,23 +3,50 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
+from typing import overload
 
-from qovr_app.state.editor_state import EditorState, Selection
+from qovr_app.state.editor_state import EditorState, Focus, Selection
 from qovr_core import Document
 from qovr_core.document import NetIndex, Window
-from qovr_core.edits import CoordinatePlace, Place
-from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.edits import CoordinatePlace, Place, Zone, extract_window
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.geometry.windows import NET_SIZE, STEP
 from qovr_core.laboratory.comparison import DEFAULT_POINT
 
 
+@overload
+def in_window(place: KnotPlace, window: Window) -> KnotPlace: ...
+
+
+@overload
+def in_window(place: Place, window: Window) -> Place: ...
+
+
 def in_window(place: Place, window: Window) -> Place:
     """Return the place in a window (a, b) of a net that lies in it as another one does in window (0, 0)."""
-    a, b = window
     if isinstance(place, CoordinatePlace):
-        return replace(place, i=place.i + STEP * a, j=place.j + STEP * b)
+        i, j = point_in_window((place.i, place.j), window)
+        return replace(place, i=i, j=j)
+    a, b = window
     across, along = (a, b) if place.direction is Direction.ROWS else (b, a)
     return replace(place, curve=place.curve + STEP * across, window=place.window + along)
+
+
+def opposite(window: Window) -> Window:
+    """Return what brings a place of a window back to window (0, 0)."""
+    return -window[0], -window[1]
+
+
+def point_in_window(index: NetIndex, window: Window) -> NetIndex:
+    """Return the point (i, j) of a net that lies in a window as another one does in window (0, 0)."""
+    (i, j), (a, b) = index, window
+    return i + STEP * a, j + STEP * b
+
+
+def has_window(document: Document, window: Window) -> bool:
+    """Return whether a net has a window."""
+    return all(0 <= at < count for at, count in zip(window, document.windows, strict=True))
 
 
 def has_point(window: Window, index: NetIndex) -> bool:
@@ -44,6 +71,47 @@ def _nearest(window: int, line: int, windows: int) -> int:
     first = max(-((NET_SIZE - 1 - line) // STEP), 0)
     last = min(line // STEP, windows - 1)
     return min(max(window, first), last)
+
+
+def places_in(zone: Zone, window: Window) -> list[Place]:
+    """Return every place of a zone in a window."""
+    lines = range(NET_SIZE)
+    if zone is Zone.CONTROL_POINTS:
+        return [in_window(CoordinatePlace(i, j, axis), window) for i in lines for j in lines for axis in range(3)]
+    direction = Direction(zone.value)
+    return [in_window(KnotPlace(direction, curve, name), window) for curve in lines for name in KNOT_NAMES]
+
+
+def focused_document(state: EditorState) -> Document | None:
+    """Return what is shown of the window in focus, as a document of its own; the same object while it is the same."""
+    shown = state.shown_document
+    return shown if shown is None or shown.windows == (1, 1) else _alone(shown, window_shown(state))
+
+
+def window_shown(state: EditorState) -> Window:
+    """Return the window of the surface in the view that is in focus: of an older one of another shape, the nearest."""
+    (a, b), document = state.window, state.shown_document
+    m, n = state.document.windows if document is None else document.windows
+    return min(a, m - 1), min(b, n - 1)
+
+
+@lru_cache(maxsize=2)
+def _alone(document: Document, window: Window) -> Document:
+    return extract_window(document, window)
+
+
+def focus_in_window(state: EditorState) -> Focus:
+    """Return the knot or point that is turned to, as the window in focus counts it; None where it lies elsewhere."""
+    focus, back = state.focus, opposite(state.window)
+    if focus is None or isinstance(focus, KnotPlace):
+        return focus and in_window(focus, back)
+    return point_in_window(focus, back) if has_point(state.window, focus) else None
+
+
+def measured_in_window(state: EditorState) -> NetIndex:
+    """Return the point that is measured, as the window in focus counts it: its middle where it lies elsewhere."""
+    point = state.measured_point
+    return point_in_window(point, opposite(state.window)) if has_point(state.window, point) else DEFAULT_POINT
 
 
 def is_net(state: EditorState) -> bool:
@@ -80,7 +148,7 @@ def with_focus(state: EditorState, window: Window) -> EditorState:
     by = window[0] - state.window[0], window[1] - state.window[1]
     fields = {zone: in_window(place, by) for zone, place in state.fields.items()}
     knot = None if state.knot is None else in_window(state.knot, by)
-    return replace(state, window=window, fields=fields, knot=knot if isinstance(knot, KnotPlace) else None)
+    return replace(state, window=window, fields=fields, knot=knot)
 
 
 def fitted(state: EditorState) -> EditorState:

@@ -61,7 +61,7 @@ class TextTyped(Intent):
 
 @dataclass(frozen=True)
 class ZoneSet(Intent):
-    """A zone of the draft, and what is typed over it, becomes that of the document."""
+    """A zone of the draft, in the window in focus, and what is typed over it, becomes that of the document."""
 
     zone: Zone
     typed: Mapping[Place, float]
@@ -74,7 +74,7 @@ class PendingSet(Intent):
 
 @dataclass(frozen=True)
 class ZoneRead(Intent):
-    """A zone of the document comes back into the draft."""
+    """A zone of the document, in the window in focus, comes back into the draft."""
 
     zone: Zone
 

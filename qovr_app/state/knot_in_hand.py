@@ -29,12 +29,10 @@ class KnotInHand:
     Parameters
     ----------
     place : which knot
-    window : the window along the curve
-    knots : of the curve there
+    knots : of the curve in its window
     """
 
     place: KnotPlace
-    window: int
     knots: Knots
 
     @property
@@ -58,7 +56,7 @@ class KnotInHand:
         """Return what sets it."""
         place = self.place
         return KnotsSet(
-            place.direction, place.curve, self.window, place.name, value, gesture, takes_s=takes_s, in_view=in_view
+            place.direction, place.curve, place.window, place.name, value, gesture, takes_s=takes_s, in_view=in_view
         )
 
     @property

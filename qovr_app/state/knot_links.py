@@ -5,8 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from qovr_core import Document, edits
-from qovr_core.document import Window
-from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.knots import KnotPlace
 
 
 @dataclass(frozen=True)
@@ -22,8 +21,3 @@ class Links:
         return edits.linked_places(
             document, place, curves=self.curves, directions=self.directions, windows=self.windows
         )
-
-
-def window_along(window: Window, direction: Direction) -> int:
-    """Return a window's number along the curves of a direction."""
-    return window[1] if direction is Direction.ROWS else window[0]

@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 from collections.abc import Collection
 
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 from qovr_core.edits import CoordinatePlace, Place, Zone
 from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.windows import STEP
 from qovr_core.laboratory.one_curve import PARABOLA_LETTERS
 
 AXES = "xyz"
@@ -21,6 +22,18 @@ ZONE_TITLES = {
 }
 
 
+def window_words(window: Window, windows: Window) -> str:
+    """Return which window of so many there are is in focus; nothing where there is one.
+
+    Examples
+    --------
+    >>> window_words((0, 1), (2, 3))
+    'window 0,1 of 2 × 3'
+    """
+    (a, b), (m, n) = window, windows
+    return f"window {a},{b} of {m} × {n}" if m * n > 1 else ""
+
+
 def object_name(place: Place) -> str:
     """Return the object name of the field at a place."""
     if isinstance(place, CoordinatePlace):
@@ -28,11 +41,12 @@ def object_name(place: Place) -> str:
     return f"{place.direction}.{place.direction.curve_name(place.curve)}.{place.letter}"
 
 
-def label(place: Place) -> str:
-    """Return a place in one line of plain text, as messages say it."""
+def label(place: Place, *, in_net: bool = False) -> str:
+    """Return a place in one line of plain text, as messages say it; in a net, with the window along the curve."""
     if isinstance(place, CoordinatePlace):
         return f"{AXES[place.axis].upper()} of P {place.i},{place.j}"
-    return f"{place.letter}_ip of {place.direction.curve_name(place.curve)}"
+    window = f" in window {place.window} along {place.direction.parameter}" if in_net else ""
+    return f"{place.letter}_ip of {place.direction.curve_name(place.curve)}{window}"
 
 
 def in_window_words(text: str) -> str:
@@ -43,11 +57,11 @@ def in_window_words(text: str) -> str:
     >>> in_window_words("column_knots[2].u is 1; control_points[0][4][2] is 2")
     'v_ip of K_2 is 1; Z of P 0,4 is 2'
     """
-    return _PLACE.sub(lambda found: label(_place(found)), text)
+    return _PLACE.sub(lambda found: label(_place(found), in_net=found["window"] is not None), text)
 
 
 _PLACE = re.compile(
-    r"\b(row_knots|column_knots)\[(\d+)\](?:\[(\d+)\])?\.([rsutv])\b|\bcontrol_points\[(\d+)\]\[(\d+)\]\[([012])\]"
+    r"\b(row_knots|column_knots)\[(\d+)\](?:\[(?P<window>\d+)\])?\.([rsutv])\b|\bcontrol_points\[(\d+)\]\[(\d+)\]\[([012])\]"
 )
 
 
@@ -59,11 +73,12 @@ def _place(found: re.Match[str]) -> Place:
     return CoordinatePlace(i, j, axis)
 
 
-def spoken(place: Place) -> str:
-    """Return a place as a screen reader can say it."""
+def spoken(place: Place, *, in_net: bool = False) -> str:
+    """Return a place as a screen reader can say it; in a net, with the window along the curve."""
     if isinstance(place, CoordinatePlace):
         return f"{AXES[place.axis]} of control point P {place.i} {place.j}"
-    return f"{place.letter} internal knot of curve {place.direction.letter} {place.curve}"
+    window = f" in window {place.window}" if in_net else ""
+    return f"{place.letter} internal knot of curve {place.direction.letter} {place.curve}{window}"
 
 
 def knot_meaning(place: KnotPlace) -> str:
@@ -80,7 +95,8 @@ def knot_meaning(place: KnotPlace) -> str:
 
 
 def _point(place: KnotPlace, k: int) -> str:
-    return f"P {place.curve},{k}" if place.direction is Direction.ROWS else f"P {k},{place.curve}"
+    along = k + STEP * place.window
+    return f"P {place.curve},{along}" if place.direction is Direction.ROWS else f"P {along},{place.curve}"
 
 
 def points_text(indices: Collection[NetIndex]) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from PySide6.QtCore import QEvent, QPointF, Qt, Signal
 from PySide6.QtGui import QFocusEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QWidget
@@ -12,7 +14,6 @@ from qovr_app.store import Store
 from qovr_app.widgets.knot_canvas import KnotCanvas
 from qovr_app.widgets.knot_picture import limits_of
 from qovr_app.widgets.plot_hand import nearest_knot
-from qovr_core.geometry.knots import KnotPlace
 
 _REACH = 10.0
 """Pixels around a handle that belong to it."""
@@ -61,8 +62,7 @@ class KnotPlot(KnotCanvas):
         curve = self._curve
         if curve is None or not name:
             return None
-        place = KnotPlace(curve.place.direction, curve.place.curve, name)
-        return KnotInHand(place, curve.window, curve.knots)
+        return replace(curve, place=replace(curve.place, name=name))
 
     # The mouse
 

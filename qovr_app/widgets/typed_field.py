@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 
 from PySide6.QtCore import QEvent, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence
@@ -53,6 +54,20 @@ class TypedField(NumberCell):
         if is_unset != self._is_unset:
             self._is_unset = is_unset
             self._refresh()
+
+    def turn_to(self, name: str, value: float, text: str | None) -> None:
+        """Stand for another number, which messages call by a name and over which a text may be typed; silently."""
+        self.blockSignals(True)
+        self._name = name
+        self._put(value)
+        if text is not None:
+            self.setText(text)
+            with suppress(QovrError):
+                self.typed()
+        self.blockSignals(False)
+        self._refresh()
+        if self.hasFocus():
+            self.selectAll()
 
     def revert(self) -> None:
         """Drop the field's own text."""

@@ -34,9 +34,17 @@ _DOT = 8
 
 
 class Column(QWidget):
-    """Tabs, where there is more than one thing to see; under them the zones, which scroll, or the laboratory."""
+    """Tabs, where there is more than one thing to see; under them the zones, which scroll, or the laboratory.
 
-    def __init__(self, zones: Mapping[str, QWidget], content: QWidget, parent: QWidget | None = None) -> None:
+    Parameters
+    ----------
+    content : what holds the zones
+    above : what stands over all of it
+    """
+
+    def __init__(
+        self, zones: Mapping[str, QWidget], content: QWidget, above: QWidget, parent: QWidget | None = None
+    ) -> None:
         super().__init__(parent)
         self._zones = zones
         self._names: list[str] = []
@@ -57,8 +65,8 @@ class Column(QWidget):
         for layout in layouts:
             layout.setContentsMargins(0, 0, 0, 0)
             layout.setSpacing(0)
-        for part in (self._tabs, self._area, self.drawer):
-            layouts[0].addWidget(part, int(part is not self._tabs))
+        for part in (above, self._tabs, self._area, self.drawer):
+            layouts[0].addWidget(part, int(part in (self._area, self.drawer)))
 
     @property
     def current(self) -> str:

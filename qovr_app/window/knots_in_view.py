@@ -7,7 +7,6 @@ from dataclasses import replace
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Intent, ValuesEdited
 from qovr_app.state.knot_in_hand import KnotInHand, default_knot
-from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import FieldFocused
 from qovr_app.state.names import label
 from qovr_app.style.symbols import symbols_in_plain
@@ -28,7 +27,7 @@ def knot_in_focus(state: EditorState) -> KnotInHand | None:
 
 def _in_hand(place: KnotPlace, state: EditorState) -> KnotInHand:
     knots = knots_of(state.document, place.direction)[place.curve, place.window]
-    return KnotInHand(place, window_along(state.window, place.direction), knots)
+    return KnotInHand(place, knots)
 
 
 def knot_choices(place: KnotPlace, state: EditorState) -> Choices:
@@ -46,9 +45,9 @@ def curve_choices(place: KnotPlace, state: EditorState) -> Choices:
     """Return what can be done with the knots of one curve."""
     own, curves = knots_of(state.document, place.direction)[place.curve, place.window], _curves(state, place.direction)
     name = place.direction.curve_name(place.curve)
-    new: dict[Place, float] = {KnotPlace(place.direction, place.curve, knot): default_knot(knot) for knot in KNOT_NAMES}
+    new: dict[Place, float] = {replace(place, name=knot): default_knot(knot) for knot in KNOT_NAMES}
     on_all: dict[Place, float] = {
-        KnotPlace(place.direction, curve, knot): getattr(own, knot) for curve in curves for knot in KNOT_NAMES
+        replace(place, curve=curve, name=knot): getattr(own, knot) for curve in curves for knot in KNOT_NAMES
     }
     family = _family(state, place.direction)
     return [

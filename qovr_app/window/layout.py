@@ -20,6 +20,7 @@ from qovr_app.window.room import Dock, Form, Room, room_of
 from qovr_app.window.view_frame import ViewFrame
 from qovr_app.work.worker import Worker
 from qovr_app.zones.knots_zone import KnotsZone
+from qovr_app.zones.net_map import NetMap
 from qovr_app.zones.points_zone import PointsZone
 from qovr_app.zones.surface_zone import SurfaceZone
 from qovr_app.zones.zone import FieldZone
@@ -64,11 +65,12 @@ class Layout(LineSplitter):
             Zone.CONTROL_POINTS: self.points,
             "surface": self.surface,
         }
+        self._map = NetMap(store, self)
         self.field_zones: tuple[FieldZone, ...] = (self.rows, self.columns, self.points)
         self._left = self._splitter("left", Qt.Orientation.Vertical, self.rows, self.columns)
         self._middle = self._splitter("middle", Qt.Orientation.Vertical, self.points, self.surface)
         self._columns = self._splitter("columns", Qt.Orientation.Horizontal, self._left, self._middle)
-        self._column = Column(self._zones, self._columns, self)
+        self._column = Column(self._zones, self._columns, self._map, self)
         self._view_side = self._splitter("laboratory", Qt.Orientation.Vertical, self.view_frame, self.laboratory)
         self._view_side.setChildrenCollapsible(False)
         self._view_side.setStretchFactor(0, 1)
@@ -86,7 +88,7 @@ class Layout(LineSplitter):
     def shows(self) -> tuple[Listener, ...]:
         """What shows states in every part, the view first: what is waited for is its frame."""
         zones = (zone.show_state for zone in self._zones.values())
-        return (self.view_frame.show_state, self.laboratory.show_state, *zones, self._show_state)
+        return (self.view_frame.show_state, self.laboratory.show_state, *zones, self._map.show_state, self._show_state)
 
     def commit_typed(self) -> None:
         """Take what is typed in the field that has the keyboard, as leaving the field would."""
@@ -141,7 +143,7 @@ class Layout(LineSplitter):
             self._arrange()
         if before is not None and after.panel and after.panel != before.panel:
             self._column.bring(LABORATORY)
-        if after.differs(before, "document", "draft", "texts", "message", "display"):
+        if after.differs(before, "document", "draft", "texts", "message", "display", "window"):
             self._mark_zones()
 
     def _arrange(self) -> None:

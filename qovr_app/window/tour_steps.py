@@ -10,7 +10,6 @@ import numpy as np
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.intents import Configured, Intent, LiveSwitched, PointsMoved, ZoneSet
 from qovr_app.state.knot_intents import KnotsSet
-from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import DisplayChosen, Selected
 from qovr_app.state.requests import ExportAsked
 from qovr_core.document import NetIndex
@@ -57,8 +56,8 @@ def _pull(state: EditorState) -> tuple[Intent, ...]:
 
 def _turn(value: float) -> Callable[[EditorState], tuple[Intent, ...]]:
     def doing(state: EditorState) -> tuple[Intent, ...]:
-        window = window_along(state.window, Direction.ROWS)
-        return (KnotsSet(Direction.ROWS, _middle(state)[0], window, "u", value),)
+        _, along_rows = state.window
+        return (KnotsSet(Direction.ROWS, _middle(state)[0], along_rows, "u", value),)
 
     return doing
 

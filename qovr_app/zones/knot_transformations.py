@@ -7,8 +7,8 @@ from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import in_window, opposite
 from qovr_app.state.knot_in_hand import KnotInHand
-from qovr_app.state.knot_links import window_along
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
@@ -52,8 +52,8 @@ class KnotTransformations(QWidget):
         place = after.fields.get(Zone(self._direction.value))
         if not isinstance(place, KnotPlace):
             first, *_ = after.draft.formulation.active_curves(self._direction) or (0,)
-            place = KnotPlace(self._direction, first, "u")
+            place = in_window(KnotPlace(self._direction, first, "u"), after.window)
         knots = knots_of(after.draft, self._direction)[place.curve, place.window]
-        self._plot.show_curve(KnotInHand(place, window_along(after.window, self._direction), knots))
-        name = symbol_html(self._direction.letter, str(place.curve))
+        self._plot.show_curve(KnotInHand(place, knots))
+        name = symbol_html(self._direction.letter, str(in_window(place, opposite(after.window)).curve))
         self._title.setText(f"Transformations of {name}(<i>{self._direction.parameter}</i>)")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain
 
@@ -11,9 +11,9 @@ from PySide6.QtWidgets import QGridLayout, QHBoxLayout, QLabel, QWidget
 
 from qovr_app.state.editor_state import EditorState
 from qovr_app.state.field_facts import default_value
+from qovr_app.state.focus import in_window, is_net, opposite
 from qovr_app.state.intents import FormulationChosen, Intent
 from qovr_app.state.knot_intents import KnotsSet
-from qovr_app.state.knot_links import window_along
 from qovr_app.state.names import knot_meaning, spoken
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
@@ -24,13 +24,14 @@ from qovr_app.widgets.parts import Note, named
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.gestures import dispatch_gestures
 from qovr_app.zones.headings import Headings
+from qovr_app.zones.knot_notes import KnotNotes, five_curves, shared_words
 from qovr_app.zones.knot_slider import KnotSlider
 from qovr_app.zones.knot_transformations import KnotTransformations
-from qovr_app.zones.zone import FieldZone
-from qovr_core import FORMULATIONS, Document, Formulation, Knots
+from qovr_app.zones.zone import FieldZone, no_place
+from qovr_core import Document, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.edits import Place, Zone, knots_of
-from qovr_core.geometry.folding import Parts, folding_parts, forward_range
+from qovr_core.geometry.folding import forward_range
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.number_texts import knot_step
@@ -57,7 +58,7 @@ class KnotsZone(FieldZone):
         index = "i" if direction is Direction.ROWS else "j"
         super().__init__(Zone(direction.value), f"{symbol_html(letter, index)}(<i>{parameter}</i>)", store, parent)
         self._direction = direction
-        self._headings = Headings(store, self.fields)
+        self._headings = Headings(store, self.fields, lambda: self.shown_window)
         self._layout.addLayout(self._make_grid(), 1)
         self._caption = QLabel(self)
         self._slider = KnotSlider(f"{direction}.slider", self)
@@ -82,33 +83,44 @@ class KnotsZone(FieldZone):
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         super().show_state(before, after)
         self._transformations.show_state(before, after)
-        if after.differs(before, "document", "draft"):
-            self._show_effects(after.document, knots_of(after.draft, self._direction).in_window(0))
-        if after.differs(before, "draft", "fields", "links"):
+        if before is not None and before.document.joints != after.document.joints:
+            for place, field in self.fields.items():
+                field.set_tip(self._tip(place, after.document))
+        if after.differs(before, "document", "draft", "window"):
+            curves = five_curves(after.draft, self._direction, after.window)
+            self._show_effects(KnotNotes(self._direction, after.document, after.window, curves))
+        if after.differs(before, "draft", "fields", "links", "window"):
             self._show_slider(after)
 
-    def _show_effects(self, document: Document, curves: tuple[Knots, ...]) -> None:
+    def _show_effects(self, notes: KnotNotes) -> None:
         """Mark the knots without effect, and those whose curve folds back."""
-        formulation = document.formulation
-        warnings = [self._folding_text(number, knots) for number, knots in enumerate(curves)]
-        for place in chain(*self._table()):
-            field = self.fields[place]
-            field.set_idle(not formulation.is_active(self._direction, place.curve))
-            field.set_warning(warnings[place.curve])
-        self._note.say("<br>".join(self._notes(curves, formulation)))
+        active, warnings = notes.active, [notes.warning(number) for number in range(NET_SIZE)]
+        for local in chain(*self._table()):
+            field = self.fields[self._shown(local)]
+            field.set_idle(local.curve not in active)
+            field.set_warning(warnings[local.curve])
+        self._note.say(notes.html())
+
+    def _tip(self, place: Place, document: Document) -> str:
+        if not isinstance(place, KnotPlace):
+            return ""
+        return "\n".join(filter(None, (knot_meaning(place), shared_words(document, place))))
 
     def copied_block(self) -> Rows:
-        return [[self.fields[place].value for place in row] for row in self._table()]
+        return [[self.fields[place].value for place in row] for row in self._shown_table()]
+
+    def _shown_table(self) -> list[list[Place]]:
+        return [[self._shown(place) for place in row] for row in self._table()]
 
     def _table(self) -> list[list[KnotPlace]]:
-        """Return the places as they stand in the window."""
+        """Return the places of window (0, 0) as they stand on the screen."""
         numbers, names = range(NET_SIZE), _NAMES[self._direction]
         if self._direction is Direction.ROWS:
             return [[KnotPlace(self._direction, k, name) for name in names] for k in reversed(numbers)]
         return [[KnotPlace(self._direction, k, name) for k in numbers] for name in names]
 
-    def _places_of_block(self, rows: int, columns: int) -> list[list[KnotPlace]]:
-        table = self._table()
+    def _places_of_block(self, rows: int, columns: int) -> list[list[Place]]:
+        table = self._shown_table()
         whole = (len(table), len(table[0]))
         if (rows, columns) == whole:
             return table
@@ -116,7 +128,7 @@ class KnotsZone(FieldZone):
         part = [row[c : c + columns] for row in table[r : r + rows]]
         if len(part) < rows or len(part[0]) < columns:
             expected = f"the whole zone, {whole[0]} x {whole[1]}, or what fits right of and below the field"
-            raise self._no_place(rows, columns, expected)
+            raise no_place(rows, columns, expected)
         return part
 
     def _make_grid(self) -> QGridLayout:
@@ -130,7 +142,6 @@ class KnotsZone(FieldZone):
             for c, place in enumerate(row, start=1):
                 field = self._make_field(place, knot_step)
                 field.set_tallest(_TALLEST)
-                field.set_tip(knot_meaning(place))
                 grid.addWidget(field, r, c)
         for c, column in enumerate(zip(*table, strict=True), start=1):
             grid.addWidget(self._line_header(column), 0, c, Qt.AlignmentFlag.AlignRight)
@@ -155,8 +166,7 @@ class KnotsZone(FieldZone):
         """Return what sets one knot, or what is no knot."""
         if not isinstance(place, KnotPlace):
             return super()._edit_of(place, value, gesture)
-        window = window_along(self._store.state.window, place.direction)
-        return KnotsSet(place.direction, place.curve, window, place.name, value, gesture)
+        return KnotsSet(place.direction, place.curve, place.window, place.name, value, gesture)
 
     @property
     def _knot(self) -> KnotPlace:
@@ -165,61 +175,13 @@ class KnotsZone(FieldZone):
         return place if isinstance(place, KnotPlace) else self._table()[0][0]
 
     def _show_slider(self, state: EditorState) -> None:
-        place = self._knot
-        curves, directions = state.links.curves, state.links.directions
-        letter = self._direction.letter
-        whose = (
-            f"{symbol_html(letter, '0')}..{symbol_html(letter, str(NET_SIZE - 1))}"
-            if curves
-            else symbol_html(letter, str(place.curve))
-        )
-        more = f" + {self._direction.other.letter}" if directions else ""
+        place, letter = self._knot, self._direction.letter
+        ends = 0, len(knots_of(state.draft, self._direction)) - 1
+        own = in_window(place, opposite(self.shown_window)).curve
+        curves = ends if state.links.curves else (own,)
+        whose = "..".join(symbol_html(letter, str(number)) for number in curves)
+        more = f" + {self._direction.other.letter}" if state.links.directions else ""
         self._caption.setText(f"{symbol_html(place.letter, 'ip')} of {whose}{more}")
-        self._slider.setAccessibleName(f"{spoken(place)}, slider")
+        self._slider.setAccessibleName(f"{spoken(place, in_net=is_net(state))}, slider")
         knots = Knots(**{name: self.fields[replace(place, name=name)].value for name in KNOT_NAMES})
         self._slider.show_knot(self.fields[place].value, forward_range(knots, place.name))
-
-    def _notes(self, curves: tuple[Knots, ...], formulation: Formulation) -> list[str]:
-        active = [number for number in range(len(curves)) if formulation.is_active(self._direction, number)]
-        notes = []
-        if len(active) < len(curves):
-            idle = [number for number in range(len(curves)) if number not in active]
-            is_run = len(idle) > 1 and idle == list(range(idle[0], idle[-1] + 1))
-            names, used = self._symbols(idle), ", ".join(self._symbols(active))
-            notes.append(
-                f"{f'{names[0]}..{names[-1]}' if is_run else ', '.join(names)} have no effect: "
-                f"the <i>{formulation}</i> surface uses {used} alone. {self._way_out()}"
-            )
-        folding = {number: parts for number in active if (parts := folding_parts(curves[number]))}
-        if folding:
-            notes.append(self._folding_note(folding))
-        return notes
-
-    def _way_out(self) -> str:
-        """Return which formulations use every curve of the direction, the latest first, as links."""
-        whole = [each for each in FORMULATIONS.values() if each.active_curves(self._direction) is None]
-        links = " or ".join(f'<a href="{each}">{each}</a>' for each in reversed(whole))
-        return f"Choose {links} to use all {'rows' if self._direction is Direction.ROWS else 'columns'}."
-
-    def _symbols(self, numbers: list[int]) -> list[str]:
-        return [symbol_html(self._direction.letter, str(number)) for number in numbers]
-
-    def _folding_note(self, folding: Mapping[int, Parts]) -> str:
-        shown = self._symbols(list(folding))
-        names = f"{shown[0]}..{shown[-1]}" if len(shown) == NET_SIZE else ", ".join(shown)
-        verb = "folds" if len(shown) == 1 else "fold"
-        alike = set(folding.values())
-        where = _where(f"<i>{self._direction.parameter}</i>", alike.pop()) if len(alike) == 1 else "in part"
-        return f"{names} {verb} back: evenly spaced points are passed backwards {where}."
-
-    def _folding_text(self, number: int, knots: Knots) -> str:
-        """Return what a curve's folding means for its knots; nothing where it does not fold."""
-        parts = folding_parts(knots)
-        if not parts:
-            return ""
-        where = _where(self._direction.parameter, parts)
-        return f"{self._direction.curve_name(number)} folds back: over evenly spaced points it runs backwards {where}."
-
-
-def _where(parameter: str, parts: Parts) -> str:
-    return f"for {parameter} from " + " and ".join(f"{low:.3g} to {high:.3g}" for low, high in parts)

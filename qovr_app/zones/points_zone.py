@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from itertools import chain
+from itertools import product
 
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QGridLayout, QWidget
@@ -17,10 +17,11 @@ from qovr_app.widgets.header_label import HeaderLabel
 from qovr_app.widgets.number_field import Snapping
 from qovr_app.widgets.parts import MARGINS
 from qovr_app.zones.headings import Headings
-from qovr_app.zones.zone import FieldZone
+from qovr_app.zones.zone import FieldZone, no_place
+from qovr_core import Document
 from qovr_core.checks import checked_number
 from qovr_core.document import NetIndex
-from qovr_core.edits import CoordinatePlace, Zone
+from qovr_core.edits import CoordinatePlace, Place, Zone
 from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.number_texts import natural_step
 
@@ -40,7 +41,7 @@ class PointsZone(FieldZone):
     def __init__(self, store: Store, parent: QWidget | None = None) -> None:
         super().__init__(Zone.CONTROL_POINTS, symbol_html("P", "i,j"), store, parent)
         self._snapping = Snapping(lambda: store.state.tools.snap_step, lambda: store.state.tools.snaps)
-        self._headings = Headings(store, self.fields)
+        self._headings = Headings(store, self.fields, lambda: self.shown_window)
         self._layout.setContentsMargins(SPACE, MARGINS[1], SPACE, MARGINS[3])
         self._layout.addLayout(self._make_grid(), _ROWS_FIRST)
         self._layout.addLayout(self._make_buttons())
@@ -48,9 +49,10 @@ class PointsZone(FieldZone):
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         super().show_state(before, after)
-        if after.differs(before, "selection"):
-            for place in chain(*self._points()):
-                self.fields[place].set_marked((place.i, place.j) in after.selection.points)
+        if after.differs(before, "selection", "window"):
+            for place, field in self.fields.items():
+                if isinstance(place, CoordinatePlace):
+                    field.set_marked((place.i, place.j) in after.selection.points)
 
     def copied_block(self) -> Rows:
         return [[self.fields[place].value for place in row] for row in self._points()]
@@ -68,21 +70,29 @@ class PointsZone(FieldZone):
     def _step(self, coordinate: float) -> float:
         return natural_step(coordinate, self._store.state.draft.net_size)
 
-    def _points(self) -> list[list[CoordinatePlace]]:
-        return [[CoordinatePlace(i, j, axis) for axis in range(3)] for i in range(NET_SIZE) for j in range(NET_SIZE)]
+    def _tip(self, place: Place, _document: Document) -> str:
+        if not isinstance(place, CoordinatePlace):
+            return ""
+        i, j, axis = place.i, place.j, AXES[place.axis]
+        return f"P {i},{j}: the {axis} coordinate of the control point in row {i}, column {j}."
 
-    def _plane(self) -> list[list[CoordinatePlace]]:
-        return [[CoordinatePlace(i, j, self._coordinate.axis) for j in range(NET_SIZE)] for i in _ROWS]
+    def _points(self) -> list[list[Place]]:
+        points = product(range(NET_SIZE), repeat=2)
+        return [[self._shown(CoordinatePlace(i, j, axis)) for axis in range(3)] for i, j in points]
 
-    def _places_of_block(self, rows: int, columns: int) -> list[list[CoordinatePlace]]:
+    def _plane(self) -> list[list[Place]]:
+        axis = self._coordinate.axis
+        return [[self._shown(CoordinatePlace(i, j, axis)) for j in range(NET_SIZE)] for i in _ROWS]
+
+    def _places_of_block(self, rows: int, columns: int) -> list[list[Place]]:
         i, j = self._coordinate.i, self._coordinate.j
-        point = [CoordinatePlace(i, j, axis) for axis in range(3)]
+        point: list[Place] = [CoordinatePlace(i, j, axis) for axis in range(3)]
         shapes = {(25, 3): self._points(), (5, 5): self._plane(), (1, 3): [point], (3, 1): [[place] for place in point]}
         try:
             return shapes[rows, columns]
         except KeyError:
             expected = "25 x 3 for all points, 5 x 5 for one coordinate of all, or three numbers for one point"
-            raise self._no_place(rows, columns, expected) from None
+            raise no_place(rows, columns, expected) from None
 
     def _line_header(self, html: str, name: str, points: list[NetIndex], axis: int = HEIGHT) -> HeaderLabel:
         """Return the heading of a line of the net, which changes one coordinate of its points."""
@@ -109,11 +119,7 @@ class PointsZone(FieldZone):
                 grid.setRowStretch(line + axis, 1)
             for j in range(NET_SIZE):
                 for axis in range(3):
-                    place = CoordinatePlace(i, j, axis)
-                    field = self._make_field(place, self._step)
-                    field.set_tip(
-                        f"P {i},{j}: the {AXES[axis]} coordinate of the control point in row {i}, column {j}."
-                    )
+                    field = self._make_field(CoordinatePlace(i, j, axis), self._step)
                     grid.addWidget(field, line + axis, j + 2)
             line += 4
             if i:

@@ -7,6 +7,7 @@ from PySide6.QtCore import QSignalBlocker, Qt
 from PySide6.QtWidgets import QComboBox, QFrame, QHBoxLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import is_net
 from qovr_app.state.intents import Configured, FormulationChosen, Intent, SamplesChosen
 from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.state.requests import ExportAsked, FigureAsked
@@ -14,9 +15,10 @@ from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
 from qovr_app.widgets.number_table import NumberTable
-from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
+from qovr_app.widgets.parts import MARGINS, CompactButton, Note, symbol, title_html
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.gestures import dispatch_gestures
+from qovr_app.zones.net_facts import joints_text, net_text
 from qovr_app.zones.samples_field import SamplesField
 from qovr_core import FORMULATIONS, Document, Evaluation
 
@@ -45,6 +47,7 @@ class SurfaceZone(QFrame):
         self._figure = CompactButton("Save Figure…", "surface.figure", "Write what the view shows as a picture", self)
         self._state = QLabel(self)
         self._state.setObjectName("surface.state")
+        self._net = Note("surface.net", self)
         self._boxes = NumberTable(
             "surface.boxes",
             "Bounding boxes of the control points and of the raw surface",
@@ -74,6 +77,8 @@ class SurfaceZone(QFrame):
         if after.differs(before, "document") or self._has_reported:
             self._has_reported = False
             self._show_document(after.document)
+        if after.differs(before, "document", "window"):
+            self._net.say(f"{net_text(after.document)}; {joints_text(after.document, after.window)}" * is_net(after))
         if after.differs(before, "document", "evaluation"):
             self._show_numbers(after.evaluation)
             self._show_stale(after.evaluation, is_stale=after.is_stale)
@@ -172,6 +177,7 @@ class SurfaceZone(QFrame):
         layout.setSpacing(SPACE)
         layout.addWidget(symbol(title_html("Surface", f"{symbol_html('QOVR', '')}(<i>u</i>, <i>v</i>)"), parent=self))
         layout.addLayout(choices)
+        layout.addWidget(self._net)
         layout.addLayout(configure)
         layout.addWidget(self._numbers(), _NUMBERS_FIRST)
         layout.addLayout(buttons)

@@ -3,24 +3,26 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QVBoxLayout, QWidget
 
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import has_window, in_window, is_net, opposite
 from qovr_app.state.intents import Intent, TextTyped, ValuesEdited, ValuesPasted, ZoneRead, ZoneSet
 from qovr_app.state.looking_intents import FieldFocused, MessageOutdated, MessageShown
-from qovr_app.state.names import ZONE_TITLES, in_window_words, label, object_name, spoken
+from qovr_app.state.names import ZONE_TITLES, in_window_words, label, object_name, spoken, window_words
 from qovr_app.state.requests import FieldMenuAsked
 from qovr_app.state.typed import typed_block
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.clipboard import Rows, pasted_cells
 from qovr_app.widgets.number_field import NumberField, Snapping
-from qovr_app.widgets.parts import MARGINS, CompactButton, symbol, title_html
+from qovr_app.widgets.parts import MARGINS, CompactButton, named, symbol, title_html
 from qovr_app.zones.gestures import dispatch_gestures
-from qovr_core import DocumentError, QovrError
+from qovr_core import Document, DocumentError, QovrError
+from qovr_core.document import Window
 from qovr_core.edits import Place, Zone, value_at
 
 
@@ -32,32 +34,53 @@ class FieldZone(QFrame):
         self.zone, self._store = zone, store
         self.setObjectName(f"zone.{zone}")
         self.setAccessibleName(ZONE_TITLES[zone])
+        self.shown_window: Window = (0, 0)
         self.fields: dict[Place, NumberField] = {}
+        """By the places of the window that is shown."""
         self._has_reported = False  # then a field shows what it has asked for, which may be undone in the same turn
-        self._title = symbol(title_html(ZONE_TITLES[zone], aside), parent=self)
+        self._where = named(symbol("", quiet=True, parent=self), f"{zone}.window")
+        self._where.setVisible(False)
         self._layout = QVBoxLayout(self)
         self._layout.setContentsMargins(*MARGINS)
         self._layout.setSpacing(SPACE)
-        self._layout.addWidget(self._title)
+        title = QHBoxLayout()
+        title.setSpacing(SPACE)
+        title.addWidget(symbol(title_html(ZONE_TITLES[zone], aside), parent=self), 1)
+        title.addWidget(self._where)
+        self._layout.addLayout(title)
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
         """Show the draft of a state, and mark what differs from the document."""
         if before is not None:
-            self._drop_texts(before, after)
-        if after.differs(before, "document", "draft") or self._has_reported:
+            _drop_texts(self.fields, before, after)
+        if before is None or (before.window, before.document.windows) != (after.window, after.document.windows):
+            self._turn_to(after)
+        if after.differs(before, "document", "draft", "window") or self._has_reported:
             self._has_reported = False
             for place, field in self.fields.items():
                 value = value_at(after.draft, place)
                 field.show_value(value, is_unset=value != value_at(after.document, place))
-        if after.differs(before, "document", "draft", "texts"):
+        if after.differs(before, "document", "draft", "texts", "window"):
             self._count_pending()
 
-    def _drop_texts(self, before: EditorState, after: EditorState) -> None:
-        """Drop the texts of fields that the state holds no longer."""
-        if before.texts is not after.texts:
-            for place in before.texts:
-                if place not in after.texts and place in self.fields:
-                    self.fields[place].revert()
+    def _turn_to(self, state: EditorState) -> None:
+        """Let the fields stand for the numbers of the window in focus."""
+        back, in_net = opposite(self.shown_window), is_net(state)
+        for place, field in self.fields.items():
+            if field.hasFocus() and place in state.texts:
+                field.commit()  # as leaving it would
+        self.shown_window = state.window
+        fields = [(in_window(place, back), field) for place, field in self.fields.items()]
+        self.fields.clear()
+        for local, field in fields:
+            place = in_window(local, self.shown_window)
+            self.fields[place] = field
+            field.turn_to(label(place, in_net=in_net), value_at(state.draft, place), state.texts.get(place))
+            field.setAccessibleName(spoken(place, in_net=in_net))
+            field.set_tip(self._tip(place, state.document))
+        self._where.setText(window_words(self.shown_window, state.document.windows))
+        self._where.setVisible(in_net)
+        self.setAccessibleDescription(self._where.text())
 
     def get_values(self) -> None:
         """Read the active state into the fields."""
@@ -92,7 +115,16 @@ class FieldZone(QFrame):
     @property
     def _place(self) -> Place:
         """The field that has, or had last, the keyboard; the first one before any had it."""
-        return self._store.state.fields.get(self.zone, next(iter(self.fields)))
+        place = self._store.state.fields.get(self.zone)
+        return place if place in self.fields else next(iter(self.fields))
+
+    def _shown(self, local: Place) -> Place:
+        """Return the place of the window that is shown, for one of window (0, 0)."""
+        return in_window(local, self.shown_window)
+
+    @abstractmethod
+    def _tip(self, place: Place, document: Document) -> str:
+        """Return what the number at a place means."""
 
     @abstractmethod
     def copied_block(self) -> Rows:
@@ -104,13 +136,21 @@ class FieldZone(QFrame):
 
     def paste(self) -> None:
         """Report the numbers of the table on the clipboard, all or none."""
+
+        def has_place(rows: int, columns: int) -> bool:
+            try:
+                self._places_of_block(rows, columns)
+            except DocumentError:
+                return False
+            return True
+
         try:
-            block = typed_block(pasted_cells(), self._has_place)
+            block = typed_block(pasted_cells(), has_place)
             places = self._places_of_block(len(block), len(block[0]))
             values = {}
             for place_row, row in zip(places, block, strict=True):
                 for place, value in zip(place_row, row, strict=True):
-                    values[place] = self._check(value, label(place))
+                    values[place] = self._check(value, label(place, in_net=is_net(self._store.state)))
         except QovrError as error:
             self._refuse(f"Nothing was pasted: {error}.")
             return
@@ -130,15 +170,16 @@ class FieldZone(QFrame):
     def _make_field(self, place: Place, step: Callable[[float], float]) -> NumberField:
         field = NumberField(label(place), self._check, step, self, snapping=self._snapping)
         field.setObjectName(object_name(place))
-        field.setAccessibleName(spoken(place))
-        field.value_edited.connect(lambda value, gesture: self._on_value_edited(place, value, gesture))
+        field.value_edited.connect(lambda value, gesture: self._on_value_edited(self._shown(place), value, gesture))
         dispatch_gestures(field, self._store.dispatch)
         field.refused.connect(lambda reason: self._refuse(reason and f"{reason}."))
-        field.focused.connect(lambda: self._store.dispatch(FieldFocused(place)))
-        field.text_owned.connect(lambda: self._on_text_owned(place, field))
+        field.focused.connect(lambda: self._store.dispatch(FieldFocused(self._shown(place))))
+        field.text_owned.connect(lambda: self._on_text_owned(self._shown(place), field))
         field.block_pasted.connect(self.paste)
         field.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
-        field.customContextMenuRequested.connect(lambda at: self._ask_for_menu(place, field.mapToGlobal(at)))
+        field.customContextMenuRequested.connect(
+            lambda at: self._ask_for_menu(self._shown(place), field.mapToGlobal(at))
+        )
         self.fields[place] = field
         return field
 
@@ -184,17 +225,20 @@ class FieldZone(QFrame):
         return row
 
     def _count_pending(self) -> None:
-        count = sum(self._store.state.is_pending(place) for place in self.fields)
+        state = self._store.state
+        count = sum(map(state.is_pending, self.fields)) if has_window(state.document, self.shown_window) else 0
         self._set.set_due(count > 0)
         self._count.setText(f"{count} not set" if count else "")
 
-    def _has_place(self, rows: int, columns: int) -> bool:
-        """Return whether a block of this size has a place."""
-        try:
-            self._places_of_block(rows, columns)
-        except DocumentError:
-            return False
-        return True
 
-    def _no_place(self, rows: int, columns: int, expected: str) -> DocumentError:
-        return DocumentError("the block", f"{rows} x {columns} numbers", expected)
+def no_place(rows: int, columns: int, expected: str) -> DocumentError:
+    """Return the refusal of a block that has no place."""
+    return DocumentError("the block", f"{rows} x {columns} numbers", expected)
+
+
+def _drop_texts(fields: Mapping[Place, NumberField], before: EditorState, after: EditorState) -> None:
+    """Drop the texts of fields that the state holds no longer."""
+    if before.texts is not after.texts:
+        for place in before.texts:
+            if place not in after.texts and place in fields:
+                fields[place].revert()

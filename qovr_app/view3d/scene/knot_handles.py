@@ -63,7 +63,7 @@ def handles_of(curve: KnotInHand, net: Array, frame: Frame) -> list[KnotHandle]:
     points = net[number] if is_row else net[:, number]
     handles = []
     for knot in curve.on_curve:
-        first = 2 * curve.window + _CHORDS[knot.place.name]
+        first = 2 * curve.place.window + _CHORDS[knot.place.name]
         ends, middle = points[[first, first + 2]], points[first + 1]
         if np.linalg.norm(np.diff(frame.to_unit(ends), axis=0)) > _SHORTEST:
             handles.append(KnotHandle(knot, read_only(ends), middle))

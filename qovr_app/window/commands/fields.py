@@ -9,11 +9,10 @@ from qovr_app.state.editor_state import EditorState
 from qovr_app.state.field_facts import current_place, default_value, value_to_share
 from qovr_app.state.intents import Intent, TextTyped, ValuesEdited
 from qovr_app.state.knot_intents import KnotsSet
-from qovr_app.state.knot_links import window_along
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.window.commands.command import Command, asking
-from qovr_core.edits import Place, knots_of, value_at
-from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.edits import Place, linked_places, value_at
+from qovr_core.geometry.knots import KnotPlace
 from qovr_core.number_texts import number_text
 
 _MENU = "&Edit/F&ield"
@@ -70,27 +69,20 @@ def _edited_to_default(state: EditorState, place: Place) -> Intent:
     value = default_value(state, place)
     if not isinstance(place, KnotPlace):
         return ValuesEdited({place: value})
-    return KnotsSet(place.direction, place.curve, window_along(state.window, place.direction), place.name, value)
+    return KnotsSet(place.direction, place.curve, place.window, place.name, value)
 
 
 def _set_on_curves(state: EditorState, place: Place) -> Intent:
     if not isinstance(place, KnotPlace):
         return MessageShown(f"{_NEEDS_KNOT}.")
-    window = window_along(state.window, place.direction)
-    return KnotsSet(place.direction, None, window, place.name, value_to_share(state, place))
+    return KnotsSet(place.direction, None, place.window, place.name, value_to_share(state, place))
 
 
 def _set_everywhere(state: EditorState, place: Place) -> Intent:
     if not isinstance(place, KnotPlace):
         return MessageShown(f"{_NEEDS_KNOT}.")
-    value = value_to_share(state, place)
-    return ValuesEdited(
-        {
-            KnotPlace(direction, curve, place.name): value
-            for direction in Direction
-            for curve in range(len(knots_of(state.draft, direction)))
-        }
-    )
+    places = linked_places(state.draft, place, curves=True, directions=True)
+    return ValuesEdited(dict.fromkeys(places, value_to_share(state, place)))
 
 
 def _has_field(state: EditorState) -> bool:

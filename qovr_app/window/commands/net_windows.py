@@ -12,9 +12,9 @@ from qovr_app.window.commands.command import Command
 from qovr_core.document import Window
 
 _STEPS: dict[str, tuple[str, str, Window]] = {
-    "window_next_u": ("Next window along &u", "Alt+Shift+Right", (0, 1)),
+    "window_next_u": ("&Next window along u", "Alt+Shift+Right", (0, 1)),
     "window_previous_u": ("Previous window along u", "Alt+Shift+Left", (0, -1)),
-    "window_next_v": ("Next window along &v", "Alt+Shift+Up", (1, 0)),
+    "window_next_v": ("Next &window along v", "Alt+Shift+Up", (1, 0)),
     "window_previous_v": ("Previous window along v", "Alt+Shift+Down", (-1, 0)),
 }
 """The keys go as the net lies: rows upward, columns rightward."""

@@ -148,5 +148,5 @@ def test_an_edit_gives_the_surface_that_a_whole_evaluation_gives():
 
 
 def test_a_knot_of_a_window_is_called_as_the_window_calls_it():
-    assert in_window_words("column_knots[2][1].v is 1") == "v_ip of K_2 is 1"
+    assert in_window_words("column_knots[2][1].v is 1") == "v_ip of K_2 in window 1 along v is 1"
     assert in_window_words("row_knots[2].s is 1") == "s_ip of C_2 is 1"

@@ -28,7 +28,7 @@ def owner(request, make_view, document):
 
 
 def in_hand(direction=Direction.ROWS, curve=0, knots=KNOTS, window=0):
-    return KnotInHand(KnotPlace(direction, curve, "u"), window, knots)
+    return KnotInHand(KnotPlace(direction, curve, "u", window), knots)
 
 
 def place_of(net, name, knots=KNOTS):

@@ -1,0 +1,48 @@
+"""What is said of a net as a whole: its windows, its points, and the joints of the window in focus."""
+
+from __future__ import annotations
+
+from qovr_core import Document
+from qovr_core.document import Window
+from qovr_core.geometry.knots import Direction
+from qovr_core.geometry.windows import NET_SIZE, STEP
+from qovr_core.joints import Joint
+
+
+def joint_before(document: Document, direction: Direction, window: int) -> Joint | None:
+    """Return the joint at which a window begins along the curves of a direction; None where the net begins there."""
+    joints = document.joints.along(direction)
+    if not window and not document.is_closed(direction):
+        return None
+    return joints[window - 1]
+
+
+def joint_after(document: Document, direction: Direction, window: int) -> Joint | None:
+    """Return the joint at which a window ends along the curves of a direction; None where the net ends there."""
+    joints = document.joints.along(direction)
+    return joints[window] if window < len(joints) else None
+
+
+def net_text(document: Document) -> str:
+    """Return the size of a net, as "7 × 9 points, 2 × 3 windows"."""
+    (rows, columns, _), (m, n) = document.control_points.shape, document.windows
+    closed = f", closed along {' and '.join(document.closed)}" if document.closed else ""
+    return f"{rows} × {columns} points, {m} × {n} windows{closed}"
+
+
+def joints_text(document: Document, window: Window) -> str:
+    """Return the joints of a window, as "joints: smooth at u = 1, sharp at v = 0"."""
+    a, b = window
+    found = [
+        f"{joint} at {direction.parameter} = {end}"
+        for direction, along in ((Direction.ROWS, b), (Direction.COLUMNS, a))
+        for end, find in enumerate((joint_before, joint_after))
+        if (joint := find(document, direction, along)) is not None
+    ]
+    return f"joints: {', '.join(found)}"
+
+
+def points_text(window: Window) -> str:
+    """Return which rows and columns of points a window holds."""
+    (i, j), more = (STEP * k for k in window), NET_SIZE - 1
+    return f"rows {i} to {i + more}, columns {j} to {j + more}"
