@@ -6,6 +6,7 @@ from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QComboBox, QLabel, QWidget
 
 from qovr_app.state.editor_state import Focus
+from qovr_app.state.focus import in_window, point_in_window
 from qovr_app.state.names import AXES
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
@@ -15,7 +16,7 @@ from qovr_app.widgets.parts import CompactButton, named, symbol
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import Document, DocumentError, Formulation, Layer
 from qovr_core.checks import checked_number
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 from qovr_core.edits import value_at
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.laboratory.influence import DEFAULT_PART, Change, KnotMove, PointMove, default_amount
@@ -85,8 +86,8 @@ class ChangeBar(QWidget):
         """The surface on which it is measured."""
         return Layer(self._layer.currentText())
 
-    def show_focus(self, document: Document, focus: Focus) -> None:
-        """Show the controls for a knot, a point, or nothing, of a document."""
+    def show_focus(self, document: Document, focus: Focus, window: Window = (0, 0)) -> None:
+        """Show the controls for a knot, a point, or nothing, of a document, which is a window of a net."""
         self._focused = None if focus is None else (document, focus)
         if document.formulation != self._formulation:
             self._formulation = document.formulation
@@ -96,7 +97,7 @@ class ChangeBar(QWidget):
         for control in (self._by, self._amount, self._default):
             control.setVisible(focus is not None)
         self._axis.setVisible(focus is not None and not is_knot)
-        self._title.setText(_title(focus))
+        self._title.setText(_title(focus, window))
         if focus is None:
             return
         self._amount.show_value(self._wanted_amount(document, focus))
@@ -163,11 +164,12 @@ class ChangeBar(QWidget):
             layout.addWidget(control)
 
 
-def _title(focus: Focus) -> str:
+def _title(focus: Focus, window: Window) -> str:
     if focus is None:
         return ""
     if isinstance(focus, KnotPlace):
         knot = symbol_html(focus.letter, "ip")
-        return f"{knot} of {symbol_html(focus.direction.letter, str(focus.curve))} alone changes"
-    i, j = focus
+        curve = in_window(focus, window).curve
+        return f"{knot} of {symbol_html(focus.direction.letter, str(curve))} alone changes"
+    i, j = point_in_window(focus, window)
     return f"{symbol_html('P', f'{i},{j}')} moves along"

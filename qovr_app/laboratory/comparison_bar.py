@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QComboBox, QToolButton, QWidget
 
 from qovr_app.state.display import Placement
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import measured_in_window, point_in_window
 from qovr_app.state.looking_intents import ComparisonChosen, DistanceMapSwitched
 from qovr_app.store import Dispatch
 from qovr_app.style.spacing import SPACE
@@ -69,7 +70,7 @@ class ComparisonBar(QWidget):
 
     def show_state(self, state: EditorState) -> None:
         """Show what is compared with, where, and which point has the weight."""
-        choice, (i, j) = state.comparison, state.measured_point
+        choice, (i, j) = state.comparison, point_in_window(measured_in_window(state), state.window)
         with QSignalBlocker(self._surface), QSignalBlocker(self._placement):
             self._surface.setCurrentIndex(self._surface.findData(choice.surface))
             self._placement.setCurrentIndex(self._placement.findData(choice.placement or ""))

@@ -11,6 +11,7 @@ from qovr_app.laboratory.comparison_bar import ComparisonBar
 from qovr_app.laboratory.comparison_table import ComparisonTable
 from qovr_app.laboratory.panel import WorkingPanel
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import focused_document, measured_in_window, point_in_window
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.symbols import symbol_html
@@ -19,13 +20,13 @@ from qovr_app.widgets.parts import named, symbol
 from qovr_app.work.job import Job
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 from qovr_core.laboratory.comparison import Comparison, ComparisonInput, Measures, compare, compared_names
 from qovr_core.laboratory.comparison_report import copied_rows
 
 
 class ComparisonPanel(WorkingPanel):
-    """Follows the document and the selected point.
+    """Follows the window in focus and the selected point.
 
     The worker measures while nothing changes; a change stops that at once, and until there are new measures the old are
     shown pale. The other surface is in the view while the panel is shown.
@@ -34,6 +35,7 @@ class ComparisonPanel(WorkingPanel):
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, self._begin, self._is_behind, parent)
         self._wanted: tuple[Document, NetIndex, float] | None = None
+        self._window: Window = (0, 0)
         self._measures: dict[str, Measures] = {}
         self._bar = ComparisonBar(store.dispatch, self)
         self._bar.copy_requested.connect(self._copy)
@@ -57,11 +59,12 @@ class ComparisonPanel(WorkingPanel):
             self._table.refresh_colours()
         self._bar.show_state(after)
         self._table.show_compared(after.shown_comparison.surface if after.shown_comparison else None)
-        if after.shown_document is None:
+        document = focused_document(after)
+        if document is None:
             return
-        wanted = (after.shown_document, after.measured_point, after.comparison.weight)
-        if wanted != self._wanted:
-            self._wanted = wanted
+        wanted = (document, measured_in_window(after), after.comparison.weight)
+        if wanted != self._wanted or after.window != self._window:
+            self._wanted, self._window = wanted, after.window
             self._restart()
 
     def _restart(self) -> None:
@@ -80,7 +83,7 @@ class ComparisonPanel(WorkingPanel):
         except QovrError as error:
             self._refuse(error)
             return None
-        self._state.setText(f"{_motion_html(compared)} Measuring …")
+        self._state.setText(f"{self._motion_html(compared)} Measuring …")
         on_found = partial(self._on_found, compared)
         return self.worker.run(compare, *self._wanted, on_progress=on_found, on_failed=self._on_failed)
 
@@ -88,9 +91,8 @@ class ComparisonPanel(WorkingPanel):
         self._measures[name] = measures
         self._table.show_measures(name, measures, compared.document.net_size)
         if self.is_current:
-            self._state.setText(
-                f"{_motion_html(compared)} Lengths are in the net's units. <b>Bold</b>: best; <i>italic</i>: worst."
-            )
+            moved = self._motion_html(compared)
+            self._state.setText(f"{moved} Lengths are in the net's units. <b>Bold</b>: best; <i>italic</i>: worst.")
             self._bar.set_copyable(True)
 
     def _on_failed(self, error: QovrError) -> None:
@@ -115,7 +117,6 @@ class ComparisonPanel(WorkingPanel):
         layout.addLayout(self.with_again(self._state, "laboratory.comparison"))
         layout.addWidget(self._table, 1)
 
-
-def _motion_html(of: ComparisonInput) -> str:
-    i, j = of.point
-    return f"{symbol_html('P', f'{i},{j}')} moves by {of.step:.4g} along <i>z</i>, a tenth of the net's size."
+    def _motion_html(self, of: ComparisonInput) -> str:
+        i, j = point_in_window(of.point, self._window)
+        return f"{symbol_html('P', f'{i},{j}')} moves by {of.step:.4g} along <i>z</i>, a tenth of the net's size."

@@ -12,18 +12,18 @@ from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.flow import Flow, kept_together
 from qovr_app.widgets.parts import CompactButton, named
 from qovr_app.widgets.wheel import guard_from_wheels
-from qovr_core import Document
-from qovr_core.edits import knots_of
 from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.laboratory.planes import View
 
 _NAME = "laboratory.curve"
+_CURVES = [(direction, number) for direction in Direction for number in range(NET_SIZE)]
 _SUBSCRIPTS = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 _VIEWS = {View.BEST: "Best plane", View.XY: "x, y", View.XZ: "x, z", View.YZ: "y, z"}
 
 
 class CurveBar(QWidget):
-    """Choices of one of the document's curves and of how it is drawn.
+    """Choices of one of a window's curves and of how it is drawn.
 
     Signals
     -------
@@ -38,9 +38,10 @@ class CurveBar(QWidget):
 
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._curves: list[tuple[Direction, int]] = []
         self._curve = named(QComboBox(self), f"{_NAME}.choice", "Curve")
         self._curve.setToolTip("Which of the curves; it follows the knot whose field has the keyboard")
+        self._curve.addItems([f"{way.letter}{str(k).translate(_SUBSCRIPTS)}({way.parameter})" for way, k in _CURVES])
+        self._curve.setCurrentIndex(NET_SIZE - 1)  # the last row is the one that the published surface uses
         self._view = named(QComboBox(self), f"{_NAME}.plane", "Plane")
         self._view.setToolTip("The plane in which the curve is drawn; the best one runs through its points")
         self._view.addItems(list(_VIEWS.values()))
@@ -63,7 +64,7 @@ class CurveBar(QWidget):
     @property
     def curve(self) -> tuple[Direction, int]:
         """The chosen curve."""
-        return self._curves[self._curve.currentIndex()]
+        return _CURVES[self._curve.currentIndex()]
 
     @property
     def view(self) -> View:
@@ -85,18 +86,6 @@ class CurveBar(QWidget):
         """What Save Figure writes."""
         return Drawing(self._drawing.currentText())
 
-    def show_curves(self, document: Document) -> None:
-        """Offer the curves of a document; first the last row, which is the one that the published surface uses."""
-        curves = [(direction, k) for direction in Direction for k in range(len(knots_of(document, direction)))]
-        if curves == self._curves:
-            return
-        self._curves = curves
-        self._curve.blockSignals(True)
-        self._curve.clear()
-        self._curve.addItems([f"{side.letter}{str(k).translate(_SUBSCRIPTS)}({side.parameter})" for side, k in curves])
-        self._curve.setCurrentIndex(len(document.row_knots) - 1)
-        self._curve.blockSignals(False)
-
     def follow(self, focus: Focus) -> None:
         """Choose the curve of the knot in focus, or the curve of the same direction through the point in focus."""
         if focus is None:
@@ -106,7 +95,7 @@ class CurveBar(QWidget):
         else:
             direction, _ = self.curve
             k = focus[0] if direction is Direction.ROWS else focus[1]
-        self._curve.setCurrentIndex(self._curves.index((direction, k)))
+        self._curve.setCurrentIndex(_CURVES.index((direction, k)))
 
     def _arrange(self) -> None:
         layout = Flow(self, 2 * SPACE)

@@ -9,6 +9,7 @@ from qovr_app.laboratory.curve_drawings import CurveDrawing
 from qovr_app.laboratory.curve_plots import CurvePlots
 from qovr_app.laboratory.panel import LaboratoryPanel
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import focus_in_window, focused_document
 from qovr_app.state.looking_intents import DisplayChosen
 from qovr_app.state.requests import DrawingAsked
 from qovr_app.store import Store
@@ -19,7 +20,7 @@ from qovr_core.laboratory.one_curve import OneCurve, curve_of
 
 
 class CurvePanel(LaboratoryPanel):
-    """Shows one of the ten curves: that of the knot in focus, or a chosen one."""
+    """Shows one of the ten curves of the window in focus: that of the knot in focus, or a chosen one."""
 
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, parent)
@@ -46,11 +47,9 @@ class CurvePanel(LaboratoryPanel):
             self._plots.show_theme(theme_of(after.display.theme))
         if before is None or before.display.comb_scale != after.display.comb_scale:
             self._show_comb(after)
-        if after.differs(before, "document"):
-            self._bar.show_curves(after.document)
         if before is None or before.focus != after.focus:
-            self._bar.follow(after.focus)
-        if after.differs(before, "shown_document"):
+            self._bar.follow(focus_in_window(after))
+        if after.differs(before, "shown_document", "window"):
             self._show_curve(after)
 
     def _show_comb(self, state: EditorState) -> None:
@@ -58,7 +57,7 @@ class CurvePanel(LaboratoryPanel):
         self._plots.show_comb(state.display.comb_scale if self._bar.comb.is_wanted else None)
 
     def _show_curve(self, state: EditorState) -> None:
-        document = state.shown_document
+        document = focused_document(state)
         if document is None:
             return
         try:
@@ -69,7 +68,7 @@ class CurvePanel(LaboratoryPanel):
         self._plots.show_curve(curve, document.formulation, self._bar.view)
 
     def _save_figure(self) -> None:
-        document = self.store.shown.shown_document
+        document = focused_document(self.store.shown)
         if (curve := self.curve) is not None and document is not None:
             bar = self._bar
             drawing = CurveDrawing(bar.drawing, curve, document, bar.view, bar.has_equal_scales)

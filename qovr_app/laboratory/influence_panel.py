@@ -17,7 +17,8 @@ from qovr_app.laboratory.influence_numbers import FactTable, copied_rows, facts
 from qovr_app.laboratory.panel import WIDE, LaboratoryPanel
 from qovr_app.laboratory.wording import change_text, value_text
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.names import ZONE_TITLES
+from qovr_app.state.focus import focus_in_window, focused_document
+from qovr_app.state.names import ZONE_TITLES, window_words
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import theme_of
@@ -83,14 +84,14 @@ class InfluencePanel(LaboratoryPanel):
             theme = theme_of(after.display.theme)
             self._map.show_theme(theme)
             self._plot.show_theme(theme)
-        if before is None or before.focus != after.focus or after.differs(before, "shown_document"):
+        if before is None or before.focus != after.focus or after.differs(before, "shown_document", "window"):
             self._show(after)
 
     def _show(self, state: EditorState) -> None:
-        document = state.shown_document
+        document = focused_document(state)
         if document is None:
             return
-        self._bar.show_focus(document, state.focus)
+        self._bar.show_focus(document, focus_in_window(state), state.window)
         self._moved, text = None, _WHAT_TO_DO
         if (change := self._bar.change) is not None:
             try:
@@ -114,7 +115,9 @@ class InfluencePanel(LaboratoryPanel):
 
     def _copy(self) -> None:
         if self._moved is not None:
-            what = change_text(self._moved.influence.change)
+            state = self.store.shown
+            where = window_words(state.window, state.document.windows)
+            what = ", ".join(filter(None, (change_text(self._moved.influence.change), where)))
             copy_table(copied_rows(what, *self._moved))
             self.tell(f"Copied the influence of {what}")
 

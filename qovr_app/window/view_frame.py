@@ -7,20 +7,21 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPalette, QResizeEvent
-from PySide6.QtWidgets import QLabel, QVBoxLayout, QWidget
+from PySide6.QtGui import QImage, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from qovr_app.state import intents, looking_intents
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import measured_in_window, window_shown
 from qovr_app.state.pending import points_that_differ, refused_points
 from qovr_app.state.requests import CameraAsked, CameraStep, FocusAsked, ViewRestartAsked
 from qovr_app.state.sections import settings_shown
 from qovr_app.store import Store
-from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d.gl.support import gl_support
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.shown import Shown
 from qovr_app.window.knots_in_view import knot_in_focus
+from qovr_app.window.stale_mark import StaleMark
 from qovr_app.work.gui_calls import GuiCalls
 from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, Zone
@@ -35,25 +36,6 @@ if TYPE_CHECKING:
 _MARK_MARGIN = 12
 _LEAST_RADIUS = 1.0
 """Steps along the net."""
-
-
-class StaleMark(QLabel):
-    """Says over the view that the surface in it is not that of the document."""
-
-    def __init__(self, parent: QWidget) -> None:
-        super().__init__("Stale: configure the surface to see what was set (F5)", parent)
-        self.setObjectName("view.stale")
-        self.setContentsMargins(10, 4, 10, 4)
-        self.setVisible(False)
-
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.setPen(QColor(*theme_in_force().pending))
-        painter.setBrush(QColor(*theme_in_force().pending_cell))
-        painter.drawRoundedRect(self.rect().adjusted(0, 0, -1, -1), 4, 4)
-        painter.end()
-        super().paintEvent(event)
 
 
 class ViewFrame(QWidget):
@@ -246,5 +228,5 @@ def _comparison_of(state: EditorState) -> ComparisonView | None:
     choice = state.shown_comparison
     if choice is None or choice.placement is None:
         return None
-    kind = COMPARISON_SURFACES[choice.surface]
-    return ComparisonView(kind, choice.placement, state.measured_point, choice.weight)
+    kind, point = COMPARISON_SURFACES[choice.surface], measured_in_window(state)
+    return ComparisonView(kind, choice.placement, point, choice.weight, window_shown(state))

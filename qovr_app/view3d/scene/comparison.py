@@ -11,8 +11,9 @@ from qovr_app.state.display import Placement
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core import Document, ParametricSurface
 from qovr_core.arrays import Array, read_only
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 from qovr_core.geometry.alignment import bounding_box
+from qovr_core.geometry.windows import net_windows
 from qovr_core.laboratory.comparison_surfaces import ComparisonSurface
 
 OWN_NAME = "QOVR"
@@ -34,13 +35,15 @@ class ComparisonView:
     ----------
     kind : how it is made of a control net
     placement : beside or over
-    point, weight : a control point, and its weight in a surface that has weights
+    point, weight : a control point of the window, and its weight in a surface that has weights
+    window : the window of the net that is compared
     """
 
     kind: ComparisonSurface
     placement: Placement
     point: NetIndex = (0, 0)
     weight: float = 1.0
+    window: Window = (0, 0)
 
     @property
     def is_beside(self) -> bool:
@@ -48,8 +51,9 @@ class ComparisonView:
         return self.placement is Placement.BESIDE
 
     def made_of(self, document: Document) -> OtherSurface:
-        """Return the surface of a document's control net."""
-        return OtherSurface(self, self.kind.build(document.control_points, self.point, self.weight))
+        """Return the surface of the control net of a window of a document."""
+        net = net_windows(document.control_points)[self.window]
+        return OtherSurface(self, self.kind.build(net, self.point, self.weight))
 
 
 @dataclass(frozen=True, eq=False)
