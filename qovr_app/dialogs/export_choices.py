@@ -6,13 +6,14 @@ from dataclasses import replace
 from enum import StrEnum
 from typing import TypeVar
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSignalBlocker, Signal
 from PySide6.QtWidgets import QCheckBox, QComboBox, QFormLayout, QLabel, QLineEdit, QSizePolicy, QWidget
 
 from qovr_app.state.typed_numbers import typed_number
 from qovr_app.widgets.parts import named, words
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_core import Document, DocumentError
+from qovr_core.document import Window
 from qovr_core.files import Format
 from qovr_core.files.conventions import CsvDialect, Unit, Up
 from qovr_core.files.options import ExportOptions
@@ -30,6 +31,7 @@ class ExportChoices(QWidget):
     ----------
     document : what is to be written
     first : the unit, axis and dialect that are chosen first
+    window : the window of a net that may be written by itself
 
     Signals
     -------
@@ -38,8 +40,15 @@ class ExportChoices(QWidget):
 
     choices_changed = Signal()
 
-    def __init__(self, document: Document, first: ExportOptions, parent: QWidget | None = None) -> None:
+    def __init__(
+        self, document: Document, first: ExportOptions, parent: QWidget | None = None, *, window: Window = (0, 0)
+    ) -> None:
         super().__init__(parent)
+        self._part = named(QComboBox(self), "export.window", "The whole net or one window")
+        guard_from_wheels(self._part)
+        self._part.addItems(["the whole net", "window {},{} alone".format(*window)])
+        self._part.setToolTip("One window is a surface of its own: T is made anew from its boxes.")
+        self._is_net = document.windows != (1, 1)
         self._keeps = self._text("export.keeps")
         self._loses = self._text("export.loses")
         self._layer = named(QComboBox(self), "export.layer", "Which surface")
@@ -61,12 +70,14 @@ class ExportChoices(QWidget):
         self._single_face = named(QCheckBox("across sharp joints", self), "export.single_face", "One face")
         self._single_face.setToolTip("Keep the surface in one face. Else each smooth part is a face of its own.")
         self._has_parts = document.formulation.is_continuous and Joint.SHARP in document.joints.u + document.joints.v
+        self._part.currentIndexChanged.connect(self.choices_changed)
         self._layer.currentTextChanged.connect(self.choices_changed)
         self._tolerance.textChanged.connect(self.choices_changed)
         self._form = QFormLayout(self)
         self._form.setContentsMargins(0, 0, 0, 0)
         self._form.addRow("Keeps", self._keeps)
         self._form.addRow("Loses", self._loses)
+        self._form.addRow("Par&t", self._part)
         self._form.addRow("&Surface", self._layer)
         self._form.addRow("Mesh &within", self._tolerance)
         self._form.addRow("&Units", self._unit)
@@ -74,8 +85,13 @@ class ExportChoices(QWidget):
         self._form.addRow("&Spelling", self._dialect)
         self._form.addRow("One &face", self._single_face)
 
-    def describe(self, entry: Format) -> None:
-        """Show a format; choices it does not know go away."""
+    def describe(self, entry: Format, *, holds_net: bool = True) -> None:
+        """Show a format; choices it does not know go away, and what cannot hold the whole net gets the window."""
+        self._form.setRowVisible(self._part, self._is_net)
+        if holds_net is not self._part.isEnabled():
+            with QSignalBlocker(self._part):
+                self._part.setCurrentIndex(int(not holds_net))
+            self._part.setEnabled(holds_net)
         self._keeps.setText(entry.keeps)
         self._loses.setText(entry.loses or "nothing")
         self._form.setRowVisible(self._layer, entry.holds_one_layer)
@@ -85,6 +101,11 @@ class ExportChoices(QWidget):
         self._form.setRowVisible(self._dialect, entry.is_text_table)
         self._form.setRowVisible(self._single_face, entry.has_parts and self._has_parts)
         self._up.setItemText(0, f"usual for {entry.suffix}: {entry.usual_up}")
+
+    @property
+    def is_window(self) -> bool:
+        """Whether one window is to be written by itself."""
+        return self._part.currentIndex() > 0
 
     @property
     def conventions(self) -> ExportOptions:

@@ -27,6 +27,8 @@ from qovr_app.dialogs.writing_dialog import WritingDialog
 from qovr_app.widgets.parts import named
 from qovr_app.work.worker import Worker
 from qovr_core import Document, QovrError
+from qovr_core.document import Window
+from qovr_core.edits import extract_window
 from qovr_core.files import FORMATS, ExportOptions, find_format
 from qovr_core.files.formats import export
 
@@ -41,16 +43,24 @@ class ExportDialog(WritingDialog):
     Parameters
     ----------
     first : the unit, axis and dialect that are chosen first
+    window : the window of a net that may be written by itself
     """
 
     def __init__(
-        self, document: Document, stem: Path, worker: Worker, first: ExportOptions, parent: QWidget | None = None
+        self,
+        document: Document,
+        stem: Path,
+        worker: Worker,
+        first: ExportOptions,
+        parent: QWidget | None = None,
+        *,
+        window: Window = (0, 0),
     ) -> None:
         super().__init__("export", "Export Data", worker, parent)
-        self._document = document
+        self._whole, self._alone = document, extract_window(document, window)
         self._formats = FormatList("export.format", self)
         self._formats.choose(_FIRST_FORMAT)
-        self._choices = ExportChoices(document, first, self)
+        self._choices = ExportChoices(document, first, self, window=window)
         self._path = named(QLineEdit(str(stem.with_suffix(_FIRST_FORMAT)), self), "export.path")
         self._browse = named(QPushButton("&Browse…", self), "export.browse")
         self._buttons = QDialogButtonBox(self)
@@ -76,6 +86,11 @@ class ExportDialog(WritingDialog):
     def conventions(self) -> ExportOptions:
         """The unit, axis and dialect that are chosen."""
         return self._choices.conventions
+
+    @property
+    def _document(self) -> Document:
+        """What is to be written: the whole net, or one window by itself."""
+        return self._alone if self._choices.is_window else self._whole
 
     def _arrange(self) -> None:
         grid = QGridLayout()
@@ -119,7 +134,7 @@ class ExportDialog(WritingDialog):
         self._describe()
 
     def _describe(self) -> None:
-        self._choices.describe(self._formats.entry)
+        self._choices.describe(self._formats.entry, holds_net=self._holds_net())
         n, m = self._document.samples
         parts = [f"{n} × {m} samples, {prod(self._document.samples):,} points."]
         if announcement := self._formats.entry.announce(self._document):
@@ -130,6 +145,14 @@ class ExportDialog(WritingDialog):
         refusal = self._refusal(path)
         self.note.setText(refusal or "  ".join(parts))
         self._start.setEnabled(path is not None and not refusal)
+
+    def _holds_net(self) -> bool:
+        """Return whether the chosen format can hold the document with all its windows."""
+        try:
+            self._formats.entry.check(self._whole, self.path or Path(f"surface{self._formats.entry.suffix}"))
+        except QovrError:
+            return self._whole.windows == (1, 1)
+        return True
 
     def _refusal(self, path: Path | None) -> str:
         """Return why the document cannot be written so; empty where it can."""

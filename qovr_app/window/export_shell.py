@@ -58,9 +58,9 @@ class ExportShell:
         if self._store.state.is_stale:
             self._say("Nothing to export: configure the surface first.", is_refusal=True)
             return
-        document = self._store.state.document
+        document, window = self._store.state.document, self._store.state.window
         first = self._preferences.conventions if self._preferences else self._conventions
-        dialog = ExportDialog(document, self._stem, self._worker, first, self._window)
+        dialog = ExportDialog(document, self._stem, self._worker, first, self._window, window=window)
         dialog.written.connect(lambda path: self._on_exported(path, dialog.conventions))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
