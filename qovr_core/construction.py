@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +24,9 @@ from qovr_core.geometry.windows import (
     row_windows,
 )
 from qovr_core.joints import window_lengths
+
+_TOGETHER = 256
+"""Windows that are computed together: what they are made of takes far more room than what comes out."""
 
 
 @dataclass(frozen=True)
@@ -76,7 +80,7 @@ def window_rounding(document: Document, base: tuple[Document, Array] | None = No
     arrays = document_arrays(document)
     with np.errstate(all="ignore"):  # what overflows is all rounding, and what underflows has its least size
         if base is None or not _is_alike(document, base[0]):
-            return read_only(document.formulation.rounding(*arrays))
+            return read_only(_by_rows(document.formulation.rounding, arrays))
         touched, rounding = np.nonzero(_touched(document, base[0])), base[1].copy()
         rounding[touched] = document.formulation.rounding(*(array[touched] for array in arrays))
         return read_only(rounding)
@@ -132,9 +136,24 @@ def _all_windows(document: Document) -> Array:
     """Return the coefficients of all windows, (m, n, 7, 7, 3); curves that windows share are computed once."""
     arrays, join = document_arrays(document), document.formulation.join
     if join is None or document.windows == (1, 1):
-        return document.formulation.build(*arrays)
+        return _by_rows(document.formulation.build, arrays)
     network = curve_network(document)
-    return join(*arrays, curve_windows(network.rows), curve_windows(network.columns).swapaxes(0, 1))
+    return _by_rows(join, (*arrays, curve_windows(network.rows), curve_windows(network.columns).swapaxes(0, 1)))
+
+
+def _by_rows(compute: Callable[..., Array], arrays: tuple[Array, ...]) -> Array:
+    """Return what a function makes of the arrays of windows, (m, n, ...) each, a few rows of windows at a time."""
+    m, n = arrays[0].shape[:2]
+    together = max(1, _TOGETHER // n)
+    first = compute(*(array[:together] for array in arrays))
+    if together >= m:
+        return first
+    result = np.empty((m, *first.shape[1:]))
+    result[:together] = first
+    for start in range(together, m, together):
+        rows = slice(start, start + together)
+        result[rows] = compute(*(array[rows] for array in arrays))
+    return result
 
 
 @np.errstate(all="ignore")
