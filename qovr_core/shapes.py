@@ -21,6 +21,9 @@ _R, _T = (KNOT_NAMES.index(name) for name in "rt")
 _FOLD = 0.25
 """How far the knots beside a crease stand from 0.5: a right-angled corner keeps a clear edge."""
 
+_DECIMALS = 4
+"""Of the points of nets that formulas make: fields show them whole."""
+
 Height = Callable[[Array, Array], Array]
 """Heights over x and y, both from -1 to 1."""
 
@@ -113,7 +116,7 @@ def _terrain() -> Document:
 
 def _interpolating(x: Array, y: Array, z: Array, closed: Sequence[str] = ()) -> Document:
     """Return a document with all knots 0.5, samples ten a window and more."""
-    net = np.stack(np.broadcast_arrays(x, y, z), axis=-1)
+    net = np.stack(np.broadcast_arrays(x, y, z), axis=-1).round(_DECIMALS) + 0.0
     samples = [max(101, 10 * window_count(count) + 1) for count in net.shape[1::-1]]
     return Document(net, formulation=Formulation.INTERPOLATING, samples=samples, closed=closed)
 
