@@ -227,9 +227,9 @@ def copy_zone(source: Document, target: Document, zone: Zone) -> Document:
 def rebase(draft: Document, before: Document, after: Document) -> Document:
     """Return ``draft`` on new ground: what it changed in ``before`` stays, everything else is as in ``after``.
 
-    On a net of another shape there is nothing that could stay.
+    On a net of another shape there is nothing that could stay, and no knots along which other joints are smooth.
     """
-    if before.windows != after.windows:
+    if (before.windows, before.closed) != (after.windows, after.closed):
         return after
 
     def merged(mine: Array, old: Array, new: Array) -> Array:
@@ -237,14 +237,14 @@ def rebase(draft: Document, before: Document, after: Document) -> Document:
 
     documents = (draft, before, after)
     nets = (document.control_points for document in documents)
-    rows, columns = (
-        KnotTable(merged(*(knots_of(document, direction).array for document in documents))) for direction in Direction
-    )
-    return replace(after, control_points=merged(*nets), row_knots=rows, column_knots=columns)
+    alike = [direction for direction in Direction if before.joints.along(direction) == after.joints.along(direction)]
+    knots: dict[str, Any] = {
+        str(direction): merged(*(knots_of(document, direction).array for document in documents)) for direction in alike
+    }
+    return replace(after, control_points=merged(*nets), **knots)
 
 
 def _close(net: Array, before: Array) -> None:
     """Bring the first three and the last three of a closed net's lines together again: those that have moved lead."""
     first, last = slice(None, ALIKE_WHERE_CLOSED), slice(len(net) - ALIKE_WHERE_CLOSED, None)
-    is_moved = net[last] != before[last]
-    net[first] = net[last] = np.where(is_moved, net[last], net[first])
+    net[first] = net[last] = np.where(net[last] != before[last], net[last], net[first])

@@ -8,7 +8,7 @@ from dataclasses import replace
 from qovr_app.state import intents
 from qovr_app.state.display import LayerChoice
 from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_message
-from qovr_app.state.focus import fitted, places_in, with_focus
+from qovr_app.state.focus import check_places, fitted, places_in, with_focus
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
 from qovr_core import Document, Evaluation, EvaluationError, edits
@@ -22,6 +22,7 @@ Edit = Callable[[Document], Document]
 
 
 def values_edited(state: EditorState, intent: intents.ValuesEdited) -> EditorState:
+    check_places(state.document, intent.values)
     wanted = dict(intent.values)
     for place, value in intent.values.items():
         if isinstance(place, KnotPlace):
@@ -34,6 +35,7 @@ def values_edited(state: EditorState, intent: intents.ValuesEdited) -> EditorSta
 
 
 def values_pasted(state: EditorState, intent: intents.ValuesPasted) -> EditorState:
+    check_places(state.document, intent.values)
     zones = dict.fromkeys(edits.zone_of(place) for place in intent.values)
     text = "Paste " + " and ".join(ZONE_TITLES[zone].lower() for zone in zones)
     state = replace(state, texts=_without(state.texts, intent.values))
@@ -43,6 +45,7 @@ def values_pasted(state: EditorState, intent: intents.ValuesPasted) -> EditorSta
 def text_typed(state: EditorState, intent: intents.TextTyped) -> EditorState:
     if state.texts.get(intent.place) == intent.text:
         return state
+    check_places(state.document, [intent.place])
     texts = dict(_without(state.texts, (intent.place,)))
     if intent.text is not None:
         texts[intent.place] = intent.text
@@ -50,6 +53,7 @@ def text_typed(state: EditorState, intent: intents.TextTyped) -> EditorState:
 
 
 def zone_set(state: EditorState, intent: intents.ZoneSet) -> EditorState:
+    check_places(state.document, intent.typed)
     draft = edits.set_values(state.draft, intent.typed)
     wanted = {place: value_at(draft, place) for place in places_in(intent.zone, state.window)}
     document = edits.set_values(state.document, wanted)

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from functools import lru_cache
 from typing import overload
 
 from qovr_app.state.editor_state import EditorState, Focus, Selection
-from qovr_core import Document
+from qovr_core import Document, DocumentError
 from qovr_core.document import NetIndex, Window
-from qovr_core.edits import CoordinatePlace, Place, Zone, extract_window
+from qovr_core.edits import CoordinatePlace, Place, Zone, check_points, extract_window, knots_of
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.geometry.windows import NET_SIZE, STEP
 from qovr_core.laboratory.comparison import DEFAULT_POINT
@@ -31,6 +32,18 @@ def in_window(place: Place, window: Window) -> Place:
     a, b = window
     across, along = (a, b) if place.direction is Direction.ROWS else (b, a)
     return replace(place, curve=place.curve + STEP * across, window=place.window + along)
+
+
+def check_places(document: Document, places: Iterable[Place]) -> None:
+    """Raise DocumentError where a net has no such numbers."""
+    for place in places:
+        if isinstance(place, CoordinatePlace):
+            check_points(document, [(place.i, place.j)])
+            continue
+        knots = knots_of(document, place.direction)
+        if not (0 <= place.curve < len(knots) and 0 <= place.window < knots.windows):
+            last = replace(place, curve=len(knots) - 1, window=knots.windows - 1)
+            raise DocumentError("the knot", place.text(place.window + 1), f"one of a net whose last is {last}")
 
 
 def opposite(window: Window) -> Window:

@@ -8,7 +8,7 @@ from typing import Any
 from qovr_app.state import looking_intents
 from qovr_app.state.display import PAPER_LOOK, ColourRange, LayerChoice, Placement
 from qovr_app.state.editor_state import ComparisonChoice, EditorState, Reference, Selection, with_message
-from qovr_app.state.focus import has_point, nearest_window, with_focus
+from qovr_app.state.focus import check_places, has_point, nearest_window, with_focus
 from qovr_app.state.looking_intents import Picking
 from qovr_app.state.names import in_window_words
 from qovr_app.state.tools import check_setting
@@ -57,6 +57,7 @@ def points_put_away(state: EditorState, intent: looking_intents.PointsPutAway) -
 
 def field_focused(state: EditorState, intent: looking_intents.FieldFocused) -> EditorState:
     place = intent.place
+    check_places(state.document, [place])
     state = with_focus(state, nearest_window(state.document, state.window, place))
     others = {zone: other for zone, other in state.fields.items() if zone is not zone_of(place)}
     state = replace(state, fields={**others, zone_of(place): place})

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from qovr_app.state import intents, knot_intents, looking_intents
+from qovr_app.state import intents, knot_intents, looking_intents, net_intents
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.focus import beside, has_point, in_window, nearest_window
@@ -118,6 +118,28 @@ def test_undo_across_shapes_holds_together(is_live):
     redone = after(undone, intents.Redone(), intents.Configured())
     assert redone.document == NET
     assert redone.shown_document == NET
+
+
+def test_pending_knots_do_not_stand_in_the_way_of_another_joint():
+    waiting = after(opened(), intents.LiveSwitched(False), knot_intents.LinkSwitched("curves", False))
+    t, z = KnotPlace(Direction.ROWS, 1, "t"), CoordinatePlace(0, 0, 2)
+    pending = after(waiting, intents.ValuesEdited({t: 0.33}), intents.ValuesEdited({z: 0.44}))
+    smooth = after(pending, net_intents.JointSmoothed(Direction.ROWS, 0))
+    assert value_at(smooth.draft, t) == value_at(smooth.document, t)
+    assert value_at(smooth.draft, z) == 0.44
+    assert after(smooth, intents.Undone()).document == NET
+
+
+def test_numbers_that_the_net_has_not_are_refused():
+    for place in (KnotPlace(Direction.ROWS, 7, "t"), KnotPlace(Direction.COLUMNS, 0, "t", 2), CoordinatePlace(7, 0, 0)):
+        for intent in (
+            intents.ValuesEdited({place: 0.5}),
+            intents.ValuesPasted({place: 0.5}),
+            intents.TextTyped(place, "0.5"),
+            FieldFocused(place),
+        ):
+            with pytest.raises(DocumentError, match="a net"):
+                after(opened(), intent)
 
 
 def test_another_document_begins_with_its_first_window():

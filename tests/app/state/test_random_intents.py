@@ -8,24 +8,33 @@ import pytest
 from qovr_app.state import intents, knot_intents, looking_intents, point_intents
 from qovr_app.state.display import DisplaySettings, LayerChoice, Placement
 from qovr_app.state.editor_state import DocumentFile, first_state
+from qovr_app.state.focus import has_window, in_window, nearest_window
 from qovr_app.state.intent_text import intent_of, intent_text
+from qovr_app.state.names import in_window_words
 from qovr_app.store import Store
 from qovr_core import FORMULATIONS, Evaluation, EvaluationError
-from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
+from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, knots_of
 from qovr_core.net_edits import Align, Flatten, Smooth, Transform
 from qovr_core.presets import preset, presets
 from qovr_core.symmetry import Source
+from support.nets import closed_net, random_net_document
 
 INTENTS = 3000
 KNOTS = [KnotPlace(direction, k, name) for direction in Direction for k in range(5) for name in "rsut"]
 POINTS = [CoordinatePlace(i, j, axis) for i in range(5) for j in range(5) for axis in range(3)]
+STARTS = {
+    "fig5": preset("fig5").document,
+    "net": random_net_document(1, (2, 3), samples=(31, 17)),
+    "ring": closed_net(2, (2, 2), ("u", "v")),
+}
 EDITS = [Transform((0.0, 0.0, 0.1)), Transform(factors=(2.0, 1.0, 0.5), degrees=30.0), Flatten(), Align(2), Smooth()]
+WINDOWS = [(0, 0), (0, 0), (0, 1), (1, 0), (1, 1), (1, 2), (2, 2)]
 NUMBERS = [0.5, 0.25, 1 / 3, 0.875, 1.0, 0.0, -3.0, 12.5, 1e-3, 1e300, 5e-324]
 
 
 def some(rng):
     """Return a random intent; many of them are to be refused."""
-    place, number = rng.choice(KNOTS + POINTS), rng.choice(NUMBERS)
+    place, number = in_window(rng.choice(KNOTS + POINTS), rng.choice(WINDOWS)), rng.choice(NUMBERS)
     gesture = rng.choice([0, 0, 1, 2])
     i, j = rng.randrange(5), rng.randrange(5)
     return rng.choice(
@@ -36,7 +45,7 @@ def some(rng):
             knot_intents.KnotsSet(
                 rng.choice(list(Direction)),
                 rng.choice([None, i]),
-                0,
+                rng.choice([0, 0, 1]),
                 rng.choice("rsut"),
                 number,
                 gesture,
@@ -64,6 +73,8 @@ def some(rng):
             knot_intents.LinkSwitched("directions", rng.random() < 0.5),
             looking_intents.Selected(rng.choice([None, (i, j)]), ((j, i),), rng.choice(list(looking_intents.Picking))),
             looking_intents.FieldFocused(place),
+            looking_intents.WindowFocused(rng.choice(WINDOWS)),
+            knot_intents.LinkSwitched("windows", rng.random() < 0.3),
             looking_intents.DisplayChosen("layer", rng.choice(list(LayerChoice))),
             looking_intents.ReferencePinned(),
             looking_intents.ReferenceUnpinned(),
@@ -92,18 +103,24 @@ def check(state):
     assert state.is_stale == (state.evaluation.document != state.document)
     for place in state.texts:
         assert state.is_pending(place)
-    for place in KNOTS:
-        assert 0 < value_at(state.draft, place) < 1
+    for direction in Direction:
+        knots = knots_of(state.draft, direction).array
+        assert ((knots > 0) & (knots < 1)).all()
+    for place in (*state.fields.values(), *filter(None, [state.knot])):
+        assert nearest_window(state.document, state.window, place) == state.window
+    assert has_window(state.document, state.window)
     assert state.selection.last is None or state.selection.last in state.selection.points
     assert state.focus is None or state.focus in (state.knot, state.selection.last)
     assert (state.history.undo_text is None) == (state.history.index == 0)
 
 
-@pytest.mark.parametrize("seed", range(4))
-def test_random_intents(seed):
+@pytest.mark.parametrize(
+    ("seed", "name"), [*((seed, "fig5") for seed in range(4)), (0, "net"), (1, "net"), (0, "ring")]
+)
+def test_random_intents(seed, name):
     rng = random.Random(seed)
     shown = []
-    store = Store(first_state(preset("fig5").document, DocumentFile("fig5"), DisplaySettings()), lambda: None)
+    store = Store(first_state(STARTS[name], DocumentFile(name), DisplaySettings()), lambda: None)
     store.subscribe(lambda before, after: shown.append((before, after)))
     store.dispatch(intents.Configured())
     for number in range(INTENTS):
@@ -115,7 +132,7 @@ def test_random_intents(seed):
             assert store.state.history is before.history
             found = str(refused).partition(" is ")[2]  # before it stands the place, which the window calls otherwise
             assert found
-            assert found in store.state.message.text
+            assert in_window_words(found) in store.state.message.text
         check(store.state)
         if number % 7 == 0:
             store.flush()
@@ -123,7 +140,7 @@ def test_random_intents(seed):
     store.dispatch(intents.LiveSwitched(False))
     for _ in range(steps):
         store.dispatch(intents.Undone())
-    assert store.state.history.document == store.state.history.first == preset("fig5").document
+    assert store.state.history.document == store.state.history.first == STARTS[name]
     assert all(later[0] is earlier[1] for earlier, later in pairwise(shown))
 
 
