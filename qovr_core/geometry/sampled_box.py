@@ -107,8 +107,8 @@ def _sample_counts(intervals_u: Indices, intervals_v: Indices) -> Indices:
 @np.errstate(under="ignore")  # what underflows is nothing
 def _extremes(windows: Array, counts: Indices) -> _Best:
     """Return the least sample of every axis, then the largest ones, of windows (w, a, b, d) with ``counts`` (w, 2)."""
-    (w, a, b, d), flat = windows.shape, windows.reshape(len(windows), -1, windows.shape[3])
-    low, high = flat.min(axis=1), flat.max(axis=1)
+    w, a, b, d = windows.shape
+    low, high = (_folded(extreme, windows.reshape(w, -1), d) for extreme in (np.minimum, np.maximum))
     bounds = np.concatenate([-low, high], axis=1).T.ravel()
     corners = windows[:, :: a - 1, :: b - 1].reshape(w, 4, d)
     corners = np.concatenate([-corners, corners], axis=2).transpose(2, 0, 1).reshape(-1, 2, 2)
@@ -128,6 +128,21 @@ def _extremes(windows: Array, counts: Indices) -> _Best:
         _search(pieces.at(alike), bounds[rows[alike]], intervals[0].tolist(), best)
         rows, pieces, intervals = rows[others], pieces.at(others), intervals[others]
     return best
+
+
+def _folded(extreme: np.ufunc, rows: Array, d: int) -> Array:
+    """Return the extremes of rows of points (w, k d) by coordinate, (w, d).
+
+    Rows are folded in halves: NumPy's own reduction over an axis that is not the last takes ten times as long.
+    """
+    while rows.shape[1] > d:
+        points = rows.shape[1] // d
+        half = points // 2 * d
+        folded = extreme(rows[:, :half], rows[:, half : 2 * half])
+        if points % 2:
+            folded[:, :d] = extreme(folded[:, :d], rows[:, -d:])
+        rows = folded
+    return rows
 
 
 def _search(pieces: _Pieces, bounds: Array, intervals: list[int], best: _Best) -> None:
@@ -154,7 +169,10 @@ def _first_cells(whole: _Pieces, limits: Array, along: list[Cells], best: _Best)
     starts = np.stack(np.meshgrid(*(cells.starts for cells in along), indexing="ij"), axis=-1).reshape(-1, 1, 2)
     for k in range(0, len(whole.owner), _CUT_AT_ONCE):
         chunk = slice(k, k + _CUT_AT_ONCE)
-        some = whole.at(k + best.exceeded_by(limits[chunk], whole.owner[chunk]))
+        still = k + best.exceeded_by(limits[chunk], whole.owner[chunk])
+        if k and not len(still):
+            continue
+        some = whole.at(still)
         cells = in_u[:, None, None] @ some.coefficients @ in_v.transpose(0, 2, 1)[:, None]
         at = np.repeat(some.starts[None], len(starts), axis=0)
         at[..., 1:] += starts
