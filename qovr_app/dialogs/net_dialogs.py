@@ -95,7 +95,9 @@ class ResampleDialog(NetDialog):
         )
         self._even = named(QCheckBox("at even steps of the parameters, all knots 0.5", self), "resample.even")
         self._even.setChecked(True)
-        self._even.setToolTip("Else at even parts of the windows there are, with knots that go with them")
+        self._even.setToolTip(
+            "Else where the points there are lie, spread over the windows, and knots that go with them"
+        )
         self._insert("Windows along &u", self._u)
         self._insert("Windows along &v", self._v)
         self._insert("", self._even)

@@ -1,7 +1,8 @@
 """What the user wants, as values: every intent makes the next state in ``next_state``, or is refused there.
 
 Here are those of the document; ``knot_intents`` are those of single knots, ``field_intents`` those of several
-fields at once, ``point_intents`` those of the selected control points, ``looking_intents`` those of what is looked at.
+fields at once, ``point_intents`` those of the selected control points, ``net_intents`` those of the net's windows and
+joints, ``looking_intents`` those of what is looked at.
 
 A ``Request`` is an intent that needs the world outside - a file, a dialog, the clipboard. The shell answers it, and the
 answer comes back as an intent.

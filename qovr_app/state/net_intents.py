@@ -106,7 +106,7 @@ class NetResampled(Intent):
     Parameters
     ----------
     windows : (m, n)
-    is_even : whether it meets the surface at even steps of the parameters, or at even parts of its windows
+    is_even : whether it meets the surface at even steps of the parameters, or at the net's nodes, spread over these
     gesture : 0 for none; else of the net with which it began
     """
 

@@ -15,11 +15,11 @@ from qovr_app.state.intents import Intent
 from qovr_app.state.names import AXES
 from qovr_app.state.readouts import motion_text
 from qovr_core import Document, build_patch
-from qovr_core.arrays import Indices
+from qovr_core.arrays import Array, Indices
 from qovr_core.checks import SAMPLES_RANGE
 from qovr_core.document import NetIndex, Window
 from qovr_core.edits import extract_window, knots_of
-from qovr_core.geometry.knots import Direction
+from qovr_core.geometry.knots import KNOT_NAMES, Direction
 from qovr_core.geometry.windows import STEP
 from qovr_core.structure.change import NetChange, check_continuous
 from qovr_core.structure.joints import crease, make_sharp, make_smooth, space_knots
@@ -29,6 +29,8 @@ from qovr_core.structure.windows import append_window, insert_pair, remove_pair
 
 Renumbering = Mapping[int, int]
 """Where rows, or columns, are afterwards, by where they were; those that are gone are missing."""
+
+_U = KNOT_NAMES.index("u")
 
 
 def window_inserted(state: EditorState, intent: net_intents.WindowInserted) -> EditorState:
@@ -122,18 +124,28 @@ def net_resampled(state: EditorState, intent: net_intents.NetResampled) -> Edito
     begun = state.document_before(intent.gesture)
     check_continuous(begun.formulation, "Resampling")
     patch = build_patch(begun)
-    nodes = None
-    if not intent.is_even:
-        u, v = (
-            np.interp(np.linspace(0, len(ends) - 1, STEP * count + 1), np.arange(len(ends)), ends)
-            for ends, count in zip(patch.breakpoints, reversed(intent.windows), strict=True)
-        )
-        nodes = u, v
+    nodes = None if intent.is_even else _parts_of_nodes(begun, patch.breakpoints, intent.windows)
     change = resample(patch, intent.windows, nodes, closed=begun.closed, samples=begun.samples)
     if begun.windows != intent.windows:
         state = _with_points(state, {})
     after = with_document(state, "Resample the net", change.document, intent, intent.gesture)
     return with_message(after, motion_text(change.motion, begun))
+
+
+def _parts_of_nodes(document: Document, breakpoints: tuple[Array, Array], windows: Window) -> tuple[Array, Array]:
+    """Return the nodes of a document along u and v, spread over other windows: as many windows have the same nodes."""
+    u, v = (
+        _spread(knots_of(document, direction).array[..., _U].mean(axis=0), ends, count)
+        for direction, ends, count in zip(Direction, breakpoints, reversed(windows), strict=True)
+    )
+    return u, v
+
+
+def _spread(u: Array, ends: Array, windows: int) -> Array:
+    """Return nodes (2 windows + 1,): of windows with these ends and these u they are every end and every middle."""
+    nodes = np.empty(2 * len(u) + 1)
+    nodes[::STEP], nodes[1::STEP] = ends, ends[:-1] + u * np.diff(ends)
+    return np.interp(np.linspace(0, len(nodes) - 1, STEP * windows + 1), np.arange(len(nodes)), nodes)
 
 
 def _moved(

@@ -10,7 +10,7 @@ from qovr_app.dialogs.net_dialogs import CreaseDialog, NetDialog, ResampleDialog
 from qovr_app.state import net_intents
 from qovr_app.state.gestures import next_gesture
 from qovr_app.state.intents import GestureBegun, GestureCancelled, GestureEnded, Intent
-from qovr_app.state.looking_intents import MessageShown
+from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.store import Store
 from qovr_app.window.shell import Answers
 from qovr_core.edits import knots_of
@@ -56,10 +56,14 @@ class NetShell:
             if said is not None:
                 store.dispatch(MessageShown(said.text))
 
+        def put_back() -> None:
+            store.dispatch(GestureCancelled(gesture))
+            store.dispatch(MessageOutdated())
+
         store.dispatch(GestureBegun(gesture))
         show()
         dialog.changed.connect(show)
         dialog.accepted.connect(end)
-        dialog.rejected.connect(lambda: store.dispatch(GestureCancelled(gesture)))
+        dialog.rejected.connect(put_back)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()

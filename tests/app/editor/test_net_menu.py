@@ -83,6 +83,7 @@ def test_a_net_of_7_by_9_grows_from_the_papers_and_is_taken_back(editor, tmp_pat
     assert editor.document.joints.u == (SMOOTH, SMOOTH)
     editor.key(Qt.Key.Key_Escape, widget=editor.dialog("smooth"))
     assert editor.document == before
+    assert editor.message() == ""
     editor.trigger("smooth_u")
     editor.key(Qt.Key.Key_Return, widget=editor.dialog("smooth"))
     assert editor.document.joints.u == (SMOOTH, SMOOTH)

@@ -11,6 +11,7 @@ from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.looking_intents import Picking, PointsPutAway, Selected, WindowFocused
 from qovr_core import QovrError
+from qovr_core.edits import knots_of
 from qovr_core.geometry.knots import Direction
 from qovr_core.geometry.nodes import Spacing
 from qovr_core.joints import Joint
@@ -121,18 +122,21 @@ def test_a_gesture_counts_from_the_net_with_which_it_began_and_can_be_cancelled(
     assert back.history.index == 0
 
 
-def test_resampling_by_the_windows_there_are_keeps_a_smooth_net_that_has_its_nodes():
-    state = after(
-        net(smooth=1.0),
-        net_intents.KnotsSpaced(ROWS, Spacing.UNIFORM),
-        net_intents.KnotsSpaced(COLUMNS, Spacing.UNIFORM),
+def test_a_net_resampled_to_its_own_windows_and_nodes_is_itself():
+    state = net(smooth=1.0)
+    for direction in Direction:
+        state = after(state, net_intents.KnotsSpaced(direction, Spacing.CHORD_LENGTH))
+    again = after(state, net_intents.NetResampled((2, 3), is_even=False))
+    inner = (slice(1, -1), slice(1, -1))
+    size = state.document.net_size
+    np.testing.assert_allclose(
+        again.document.control_points[inner], state.document.control_points[inner], atol=1e-12 * size
     )
-    for is_even in (True, False):
-        again = after(state, net_intents.NetResampled((2, 3), is_even))
-        inner = (slice(1, -1), slice(1, -1))
-        np.testing.assert_allclose(
-            again.document.control_points[inner], state.document.control_points[inner], atol=1e-12
-        )
+    for direction in Direction:
+        now, was = (knots_of(each.document, direction).array for each in (again, state))
+        np.testing.assert_allclose(now[:, :, 2], was[:, :, 2], rtol=1e-12)
+    even = after(state, net_intents.NetResampled((2, 3)))
+    assert (even.document.row_knots.array == 0.5).all()
 
 
 def test_formulations_whose_windows_do_not_meet_are_refused_with_the_way_out():
