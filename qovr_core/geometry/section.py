@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 import numpy.typing as npt
@@ -13,6 +14,9 @@ from qovr_core.geometry.rounding import ROUNDING
 
 _SAMPLES = 128
 """Samples each way that tell how the curves run; an even count, so that the middle of a symmetric net is none."""
+
+_LEAST = 4
+"""Gaps between them in one polynomial of many."""
 
 _NEWTON_STEPS = 8
 """From a place on the grid, off by its square, four steps reach rounding; the others bring back what went astray."""
@@ -100,8 +104,8 @@ def section(surface: ParametricSurface, plane: CuttingPlane) -> tuple[float, tup
     """
     from contourpy import contour_generator
 
-    grid = np.linspace(0.0, 1.0, _SAMPLES)
-    points = surface.points(grid, grid)
+    u, v = (_grid(*ends, breaks) for ends, breaks in zip(surface.domain, surface.breaks, strict=True))
+    points = surface.points(u, v)
     heights = points @ plane.normal
     low, high = float(heights.min()), float(heights.max())
     offset = (low + high) / 2 if plane.offset is None else plane.offset
@@ -110,10 +114,18 @@ def section(surface: ParametricSurface, plane: CuttingPlane) -> tuple[float, tup
         return offset, ()
     off = heights - offset
     off = np.where(np.abs(off) <= rounding, -np.copysign(rounding, off.mean()), off)  # finds an edge in the plane, too
-    lines = contour_generator(x=grid, y=grid, z=off.T).lines(0.0)
+    lines = contour_generator(x=u, y=v, z=off.T).lines(0.0)
     pieces = [_curve(surface, plane.normal, offset, np.asarray(line), _NOT_REACHED * size) for line in lines]
     found = [piece for piece in pieces if piece is not None]
     return offset, tuple(sorted(found, key=lambda piece: -piece.length))
+
+
+def _grid(first: float, last: float, breaks: Array) -> Array:
+    """Return the parameters of samples in one direction, as many in every polynomial."""
+    ends = np.array([first, *breaks, last])
+    each = max(-(-(_SAMPLES - 1) // (len(ends) - 1)), _LEAST)
+    inner = [np.linspace(start, end, each + 1)[:-1] for start, end in pairwise(ends[:-1].tolist())]
+    return np.concatenate([*inner, np.linspace(ends[-2], ends[-1], each + 1)])
 
 
 def _curve(
@@ -137,14 +149,15 @@ def _curve(
 def _onto_plane(surface: ParametricSurface, normal: tuple[float, float, float], offset: float, start: Array) -> Array:
     """Return parameters (n, 2) moved onto the plane by Newton's method; what is on an edge stays on it."""
     u, v = start.T.copy()
-    holds_u, holds_v = np.isin(u, (0.0, 1.0)), np.isin(v, (0.0, 1.0))
+    ends_u, ends_v = surface.domain
+    holds_u, holds_v = np.isin(u, ends_u), np.isin(v, ends_v)
     for _ in range(_NEWTON_STEPS):
         off = surface.derivative_at(u, v, 0, 0) @ normal - offset
         slope_u = np.where(holds_u, 0.0, surface.derivative_at(u, v, 1, 0) @ normal)
         slope_v = np.where(holds_v, 0.0, surface.derivative_at(u, v, 0, 1) @ normal)
         squared = slope_u**2 + slope_v**2
         part = np.divide(off, squared, out=np.zeros_like(off), where=squared > 0)
-        u, v = np.clip(u - part * slope_u, 0.0, 1.0), np.clip(v - part * slope_v, 0.0, 1.0)
+        u, v = np.clip(u - part * slope_u, *ends_u), np.clip(v - part * slope_v, *ends_v)
     return np.stack([u, v], axis=1)
 
 

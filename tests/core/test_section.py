@@ -40,6 +40,18 @@ def test_a_paraboloid_is_cut_in_circles_and_parabolas():
     assert diagonal.length == pytest.approx(parabola_length(sqrt(2)), abs=1e-8)
 
 
+def test_a_section_runs_on_through_all_windows_of_a_net():
+    y, x = np.mgrid[:7, :9].astype(float)
+    net = np.stack([x, y, (x - 4) ** 2 + (y - 3) ** 2], axis=-1)
+    bowl = Evaluation(Document(net, formulation="interpolating")).patch
+    _, (circle,) = section(bowl, plane_across(2, 2.25))
+    assert circle.is_closed
+    assert np.hypot(*(circle.points[:, :2] - [4, 3]).T) == pytest.approx(np.full(len(circle.points), 1.5), abs=1e-9)
+    assert circle.length == pytest.approx(3 * pi, rel=1e-5)
+    _, (across,) = section(bowl, plane_across(1, 2.0))
+    assert sorted(across.points[[0, -1], 0]) == pytest.approx([1, 7])
+
+
 @pytest.mark.parametrize(("axis", "place"), [(0, 1.0), (0, 3.0), (1, 1.0), (1, 3.0)])
 def test_an_edge_that_lies_in_the_plane_is_found(axis, place):
     bowl = height_field(lambda x, y: x * x + y * y)
