@@ -169,7 +169,5 @@ def _welded(patch: Patch, grid: MeshGrid, points: Array, normals: Array, measure
 
 def _compact(faces: Numbers) -> tuple[Numbers, Numbers]:
     """Return the indices in use, ascending, and the faces renumbered among them."""
-    is_used = np.zeros(int(faces.max(initial=-1)) + 1, dtype=np.bool_)
-    is_used[faces] = True
-    renumbered = np.cumsum(is_used, dtype=np.int32) - 1
-    return np.flatnonzero(is_used).astype(np.int32), renumbered[faces].astype(np.int32)
+    used, inverse = np.unique(faces, return_inverse=True)
+    return used, inverse.reshape(-1, 3).astype(np.int32)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from itertools import product
 
 import numpy as np
 import numpy.typing as npt
@@ -50,6 +49,11 @@ class Axis:
     def shared(self) -> Indices:
         """For each sample its number where joints count once."""
         return np.arange(len(self)) - self.located.window
+
+    @property
+    def cells(self) -> Indices:
+        """The samples at which a cell begins: all but the last of each window."""
+        return np.delete(np.arange(len(self)), self.ends)
 
     @property
     def halved(self) -> Axis:
@@ -116,14 +120,11 @@ class MeshGrid:
         return Patch(patch.coefficients[:, window : window + 1], patch.degree, (ones[:1], ones))
 
     def triangles(self, index: Numbers) -> Numbers:
-        """Return two triangles a cell as entries of ``index``, (f, 3), window by window; between them is none."""
-        parts = []
-        for b, a in product(range(len(self.u.intervals)), range(len(self.v.intervals))):
-            own = index[self.u.samples(b), self.v.samples(a)]
-            one, two, three, four = own[:-1, :-1], own[1:, :-1], own[1:, 1:], own[:-1, 1:]
-            faces = np.empty((*one.shape, 2, 3), dtype=np.int32)
-            for triangle, corners in enumerate(((one, two, three), (one, three, four))):
-                for k, corner in enumerate(corners):
-                    faces[:, :, triangle, k] = corner
-            parts.append(faces.reshape(-1, 3))
-        return parts[0] if len(parts) == 1 else np.concatenate(parts)
+        """Return two triangles a cell as entries of ``index``, (f, 3); between windows there is none."""
+        u, v = self.u.cells[:, None], self.v.cells
+        a, b, c, d = index[u, v], index[u + 1, v], index[u + 1, v + 1], index[u, v + 1]
+        faces = np.empty((*a.shape, 2, 3), dtype=np.int32)
+        for triangle, corners in enumerate(((a, b, c), (a, c, d))):
+            for k, corner in enumerate(corners):
+                faces[:, :, triangle, k] = corner
+        return faces.reshape(-1, 3)

@@ -171,6 +171,19 @@ def evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> A
     return values
 
 
+def asked_pieces(coefficients: Array, pieces: tuple[Indices, Indices]) -> tuple[Array, tuple[Indices, Indices]]:
+    """Return of a piecewise polynomial (m, n, ...) only the pieces that are asked, and which of them each place asks.
+
+    Parameters
+    ----------
+    pieces : for every place the piece's number along v and along u, (k,) each
+    """
+    if coefficients.shape[:2] == (1, 1):
+        return coefficients, pieces
+    (a, b), number = np.unique(pieces, axis=1, return_inverse=True)
+    return coefficients[None, a, b], (np.zeros_like(number), number)
+
+
 @np.errstate(under="ignore")  # what underflows is nothing
 def evaluate_scattered_pieces(
     coefficients: Array, pieces: tuple[Indices, Indices], basis_u: Array, basis_v: Array

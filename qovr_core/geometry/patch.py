@@ -177,11 +177,11 @@ class Patch:
         ------
         ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
         """
-        coefficients = self._differentiated(order_u, order_v)
         at_u, at_v = locate.of_grid(u, v, self.breakpoints)
-        basis_u = at_u.basis(PATCH_DEGREE - order_u, order_u)
-        basis_v = at_v.basis(PATCH_DEGREE - order_v, order_v)
-        return read_only(grid.evaluate_scattered_pieces(coefficients, (at_v.window, at_u.window), basis_u, basis_v))
+        asked, pieces = grid.asked_pieces(self.coefficients, (at_v.window, at_u.window))
+        coefficients = Patch(asked)._differentiated(order_u, order_v)
+        bases = (at.basis(PATCH_DEGREE - order, order) for at, order in ((at_u, order_u), (at_v, order_v)))
+        return read_only(grid.evaluate_scattered_pieces(coefficients, pieces, *bases))
 
     def normals(self, u: Parameters, v: Parameters) -> Array:
         """Return the unit normals along S_u x S_v, (n, m, 3), limits taken in windows; see ``differential.normals``."""

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import window_arrays
-from qovr_core.evaluation import Evaluation, parameters
-from qovr_core.geometry.knots import KnotPlace
-from qovr_core.geometry.patch import Patch
+from qovr_core.construction import document_arrays
+from qovr_core.document import Document
+from qovr_core.evaluation import Evaluation
+from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.locate import even
+from qovr_core.geometry.patch import PATCH_DEGREE, Patch
+from qovr_core.geometry.windows import NET_SIZE, STEP
 from qovr_core.layer import Layer
 
 _ROWS_AT_A_TIME = 64
@@ -22,7 +27,8 @@ def knot_sensitivity(evaluation: Evaluation, place: KnotPlace, layer: Layer) -> 
     The raw surface's is the formulation's own (``Formulation.knot_slope``): exact, but for a record that does not know
     its slope. For the transformed layer T follows: it depends on the samples at which the raw box is attained. Where
     several attain it together, its slope is one thing for a rising and another for a falling knot, and the mean of
-    the two is taken. A knot without effect has the derivative zero.
+    the two is taken. A knot without effect has the derivative zero, and so has a raw surface in windows that are not
+    the knot's own: those along its curve's window that the curve is in.
 
     Parameters
     ----------
@@ -30,9 +36,23 @@ def knot_sensitivity(evaluation: Evaluation, place: KnotPlace, layer: Layer) -> 
     place : the knot
     layer : of which of its two surfaces
     """
-    document = evaluation.document
-    raw = Patch(document.formulation.knot_slope(*window_arrays(document), place))
+    raw = Patch(_raw_slope(evaluation.document, place), lengths=evaluation.patch.lengths)
     return raw if layer is Layer.RAW else _transformed_slope(evaluation, raw)
+
+
+def _raw_slope(document: Document, place: KnotPlace) -> Array:
+    """Return the derivative of the raw surface's coefficients, (m, n, 7, 7, 3)."""
+    arrays, (m, n) = document_arrays(document), document.windows
+    slope = np.zeros((m, n, PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3))
+    is_row = place.direction is Direction.ROWS
+    for across in range(m if is_row else n):
+        number = place.curve - STEP * across
+        if 0 <= number < NET_SIZE:
+            window = (across, place.window) if is_row else (place.window, across)
+            own = replace(place, curve=number, window=0)
+            net, rows, columns = (array[window] for array in arrays)
+            slope[window] = document.formulation.knot_slope(net, rows, columns, own)
+    return slope
 
 
 def _transformed_slope(evaluation: Evaluation, raw: Patch) -> Patch:
@@ -43,12 +63,16 @@ def _transformed_slope(evaluation: Evaluation, raw: Patch) -> Patch:
     is_flat = np.isin(list("xyz"), evaluation.flat_axes)
     scale_slope = np.where(is_flat, 0.0, -scale * (slope_high - slope_low) / np.where(is_flat, 1.0, high - low))
     shift_slope = -scale_slope * low - scale * slope_low
-    return Patch(scale * raw.coefficients + scale_slope * evaluation.patch.coefficients + shift_slope)
+    slope = scale * raw.coefficients + scale_slope * evaluation.patch.coefficients + shift_slope
+    return Patch(slope, lengths=raw.lengths)
 
 
 def _box_slopes(evaluation: Evaluation, raw: Patch) -> tuple[Array, Array]:
     """Return the derivatives of the raw box's low and high sides, each (3,)."""
-    u, v = (parameters(samples) for samples in evaluation.document.samples)
+    u, v = (
+        breakpoints[at.window] + at.local * np.diff(breakpoints)[at.window]
+        for at, breakpoints in zip(map(even, evaluation.document.intervals), evaluation.patch.breakpoints, strict=True)
+    )
     low_side, high_side = evaluation.raw_box.T
     sides = (low_side + evaluation.rounding, high_side - evaluation.rounding)  # what is so near a side touches it
     least, most = np.full((2, 3), np.inf), np.full((2, 3), -np.inf)
