@@ -172,6 +172,7 @@ class DisplaySettings:
     control_net: bool = True
     row_curves: bool = False
     column_curves: bool = False
+    joints: bool = True
     combs_u: bool = False
     combs_v: bool = False
     comb_scale: float = 1.0

@@ -20,10 +20,10 @@ class Theme:
     """One set of colours.
 
     Of picture and plots: ``ink`` writes on ``background``, ``pane`` and ``grid`` are the axes box, ``point`` is a
-    control point and ``selected`` what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j, ``rim``
-    parts marks from the surface, ``undefined`` is the surface where what it shows has no value, ``comparison`` the
-    lines of another surface over it, ``section`` where a plane cuts it; ``series`` are five lines in one plot, by
-    P_0..P_4 where they belong to points.
+    control point and ``selected`` what is selected, ``row_curve`` and ``column_curve`` are C_i and K_j,
+    ``smooth_joint`` and ``sharp_joint`` where windows of the net meet, ``rim`` parts marks from the surface,
+    ``undefined`` is the surface where what it shows has no value, ``comparison`` the lines of another surface over it,
+    ``section`` where a plane cuts it; ``series`` are five lines in one plot, by P_0..P_4 where they belong to points.
 
     Of fields and marks: ``cell`` and ``edge`` are a field at rest, ``hover`` its edge under the pointer, ``idle_ink``
     writes a number without effect; ``accent`` is the keyboard's focus, ``selected`` what is selected, ``pending`` what
@@ -48,6 +48,8 @@ class Theme:
     net: Rgb
     row_curve: Rgb
     column_curve: Rgb
+    smooth_joint: Rgb
+    sharp_joint: Rgb
     surface_line: Rgb
     series: tuple[Rgb, Rgb, Rgb, Rgb, Rgb]
     undefined: Rgb
@@ -92,6 +94,8 @@ _THEMES = {
         net=(70, 78, 90),
         row_curve=(16, 20, 26),
         column_curve=(28, 100, 216),
+        smooth_joint=(214, 218, 226),
+        sharp_joint=(214, 40, 57),
         surface_line=(0, 0, 0),
         series=((201, 57, 43), (190, 112, 0), (20, 132, 88), (28, 100, 216), (128, 62, 178)),
         undefined=(146, 149, 155),
@@ -134,6 +138,8 @@ _THEMES = {
         net=(190, 196, 206),
         row_curve=(245, 246, 248),
         column_curve=(92, 157, 255),
+        smooth_joint=(214, 219, 228),
+        sharp_joint=(255, 92, 105),
         surface_line=(0, 0, 0),
         series=((255, 122, 108), (238, 176, 66), (74, 200, 142), (92, 157, 255), (190, 142, 245)),
         undefined=(146, 149, 155),

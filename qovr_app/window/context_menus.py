@@ -22,8 +22,8 @@ _COMMANDS = {
         "show_points", "", "fit_selection",
     ),
     MenuPlace.NET_LINE: (
-        "show_control_net", "show_row_curves", "show_column_curves", "show_knot_handles", "", "show_points",
-        "laboratory_curve", "", "fit_selection",
+        "show_control_net", "show_row_curves", "show_column_curves", "show_joints", "show_knot_handles", "",
+        "show_points", "laboratory_curve", "", "fit_selection",
     ),
     MenuPlace.COLOUR_BAR: ("colour_by_", "", "colour_range_", "shares_range", "", "colour_map_", "", "show_colour_bar"),
     MenuPlace.VIEW: (

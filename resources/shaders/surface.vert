@@ -1,4 +1,5 @@
-// A display grid of a patch in unit space. gl_VertexID gives the parameters: no buffer for what counting knows.
+// A display grid of a patch in unit space. gl_VertexID gives the parameters: no buffer for what counting knows. In a net
+// of windows it does not know them.
 uniform mat4 u_matrix;
 uniform mat3 u_view;
 uniform vec2 u_counts;
@@ -9,6 +10,9 @@ uniform float u_point_size;
 in vec3 a_position;
 in vec3 a_normal;
 in float a_part;
+#ifdef NET
+in vec2 a_cell;
+#endif
 
 #ifndef FACETS
 out float v_part;
@@ -22,7 +26,9 @@ out vec2 v_cell;
 #endif
 
 void main() {
-#ifdef CELLS
+#if defined(CELLS) && defined(NET)
+    v_cell = a_cell;
+#elif defined(CELLS)
     // In floats, which hold every index of a display grid and divide faster than integers.
     float row = floor((float(gl_VertexID) + 0.5) / u_counts.y);
     v_cell = vec2(row, float(gl_VertexID) - row * u_counts.y) / (u_counts - 1.0) * u_cells;

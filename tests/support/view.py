@@ -6,6 +6,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QApplication
 
+from qovr_app.view3d.scene.grid import Grid
 from qovr_core import Evaluation
 
 
@@ -14,6 +15,11 @@ def change(view, **changes):
     if "document" in changes:
         changes["evaluation"] = Evaluation(changes.pop("document"))
     view.display(replace(view.shown, **changes))
+
+
+def grid(n, m):
+    """Return the grid of so many vertices along u and along v of one window."""
+    return Grid((n - 1,), (m - 1,))
 
 
 def choose(view, **settings):

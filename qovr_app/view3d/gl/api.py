@@ -127,6 +127,15 @@ def load_attributes(
     GL.glBindBuffer(GL.GL_ARRAY_BUFFER, 0)
 
 
+def rewrite(buffer: int, values: npt.NDArray[np.float32], rows: slice) -> None:
+    """Bring some rows of the values that a buffer holds, contiguous, to the driver again."""
+    some = values[rows]
+    if some.size:
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer)
+        GL.glBufferSubData(GL.GL_ARRAY_BUFFER, rows.start * values.strides[0], some.nbytes, some)
+        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, 0)
+
+
 def load_indices(buffer: int, indices: npt.NDArray[np.uint32]) -> None:
     """Fill a buffer with the indices of triangles; it stays bound, which the bound vertex array remembers."""
     GL.glBindBuffer(GL.GL_ELEMENT_ARRAY_BUFFER, buffer)

@@ -6,6 +6,8 @@ viewport calls when it goes.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QOpenGLContext, QVector4D
 from PySide6.QtOpenGL import QOpenGLShaderProgram
@@ -15,7 +17,8 @@ from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl.program import link_program
 from qovr_app.view3d.gl.surface_buffers import ATTRIBUTES, SurfaceBuffers
 from qovr_app.view3d.scene.colouring import UNDEFINED
-from qovr_app.view3d.scene.mesh import Counts, facet_counts, triangle_indices
+from qovr_app.view3d.scene.grid import Grid, windows_of
+from qovr_app.view3d.scene.mesh import triangle_indices
 from qovr_app.view3d.scene.patterns import BAND, BELOW, BELOW_PART, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE, STRIPE
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_periods, line_width, relief
@@ -69,7 +72,7 @@ class SurfaceItem:
         _set_view(program, picture, matrix)
         _set_samples(program, picture)
         _set_style(program, picture, pixel_ratio)
-        _draw(picture.settings.style, picture.counts)
+        _draw(picture.settings.style, picture.grid)
         program.release()
         api.bind_vertex_array(0)
 
@@ -87,6 +90,8 @@ class SurfaceItem:
             defines |= {"FACETS", "CELLS"}
         if line_opacity(settings) > 0:
             defines |= {"LINES", "CELLS"}
+        if windows_of(picture.scene.patch) != (1, 1):
+            defines.add("NET")
         key = frozenset(defines)
         if key not in self._programs:
             self._programs[key] = link_program("surface", defines=sorted(defines), attributes=ATTRIBUTES)
@@ -103,15 +108,14 @@ def _set_view(program: QOpenGLShaderProgram, picture: Picture, matrix: Array) ->
 
 def _set_samples(program: QOpenGLShaderProgram, picture: Picture) -> None:
     """Say how the vertices lie among the samples, and which samples have a line."""
-    at, samples = program.uniformLocation, picture.scene.document.samples
-    cells = np.subtract(samples, 1)
-    api.set_floats(at("u_counts"), *picture.counts)
-    api.set_floats(at("u_cells"), *cells.tolist())
-    for name, period in zip(("u_fine", "u_coarse"), line_periods(samples), strict=True):
+    at, cells = program.uniformLocation, picture.lined_grid.cells
+    api.set_floats(at("u_counts"), *picture.grid.shape)
+    api.set_floats(at("u_cells"), *cells)
+    for name, period in zip(("u_fine", "u_coarse"), line_periods(cells), strict=True):
         api.set_floats(at(name), *period, *(1 / cells_apart for cells_apart in period))
     if picture.has_facets:
         api.set_integer(at("u_samples"), 1)
-        facets = np.subtract(facet_counts(samples), 1)
+        facets = np.array(picture.facets.cells)
         api.set_floats(at("u_facets"), *(facets - 1).tolist(), *(facets / cells).tolist())
 
 
@@ -137,7 +141,7 @@ def _set_style(program: QOpenGLShaderProgram, picture: Picture, pixel_ratio: flo
     api.set_integer(at("u_colours"), 0)
 
 
-def _draw(style: Style, counts: Counts) -> None:
+def _draw(style: Style, grid: Grid) -> None:
     api.show_both_sides()
     if style is Style.WIREFRAME:
         # Lines behind lines stay visible, so that nothing may write depth; the shader's colours are premultiplied.
@@ -147,6 +151,6 @@ def _draw(style: Style, counts: Counts) -> None:
     if style is Style.POINTS:
         if not QOpenGLContext.currentContext().isOpenGLES():
             api.let_points_have_sizes()
-        api.draw_points(counts[0] * counts[1])
+        api.draw_points(math.prod(grid.shape))
     else:
-        api.draw_triangles(triangle_indices(counts).size)
+        api.draw_triangles(triangle_indices(grid).size)

@@ -9,6 +9,7 @@ from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.windows import STEP, window_count
 
 _LINE_REACH = 5.0
 """Logical pixels beside a line that belong to it."""
@@ -20,21 +21,31 @@ _FIRST_KNOT = "u"
 def curve_under(picture: Picture, size: Size, x: float, y: float) -> KnotPlace | None:
     """Return the curve under a pixel, by its knot u; None where there is none."""
     settings, scene, at = picture.settings, picture.scene, np.array([x, y])
-    families: list[tuple[Direction, Array]] = []
+    families: list[tuple[Direction, Array, bool]] = []
     if settings.control_net and settings.control_points:
         points = picture.net_points
-        families += [(Direction.ROWS, points), (Direction.COLUMNS, points.transpose(1, 0, 2))]
+        families += [(Direction.ROWS, points, True), (Direction.COLUMNS, points.transpose(1, 0, 2), True)]
     if settings.row_curves:
-        families.append((Direction.ROWS, scene.row_curves))
+        families.append((Direction.ROWS, scene.row_curves, False))
     if settings.column_curves:
-        families.append((Direction.COLUMNS, scene.column_curves))
+        families.append((Direction.COLUMNS, scene.column_curves, False))
     nearest, found = _LINE_REACH, None
-    for direction, lines in families:
+    for direction, lines, is_net in families:
         seen = picture.camera.project(lines, size)[..., :2]
-        away = _away(at, seen[:, :-1], seen[:, 1:]).min(axis=1)
+        away = _away(at, seen[:, :-1], seen[:, 1:])
         if away.min() < nearest:
-            nearest, found = float(away.min()), KnotPlace(direction, int(np.argmin(away)), _FIRST_KNOT)
+            number, piece = np.unravel_index(int(np.argmin(away)), away.shape)
+            windows = window_count(scene.net_shape[direction is Direction.ROWS])
+            window = _window_of_piece(int(piece), away.shape[1], windows, is_net=is_net)
+            nearest, found = float(away.min()), KnotPlace(direction, int(number), _FIRST_KNOT, window)
     return found
+
+
+def _window_of_piece(piece: int, pieces: int, windows: int, *, is_net: bool) -> int:
+    """Return the window of a piece of a line: of the net's, which begins and ends a step beyond, or of a curve."""
+    if is_net:
+        return min(max((piece - 1) // STEP, 0), windows - 1)
+    return piece * windows // pieces
 
 
 def points_of(picture: Picture, curve: KnotPlace) -> tuple[NetIndex, ...]:

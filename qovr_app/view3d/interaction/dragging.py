@@ -10,8 +10,9 @@ from PySide6.QtCore import QPointF, Signal
 from PySide6.QtWidgets import QWidget
 
 from qovr_app.state.gestures import FINE
+from qovr_app.state.tools import Way
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.grip import ALONG_WAY, Freedom, Grip, across, along, rounded
+from qovr_app.view3d.scene.grip import ALONG_WAY, IN_VIEW, Freedom, Grip, across, along, rounded
 from qovr_app.view3d.scene.hand import DragMarks
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.widgets.dragger import Dragger
@@ -26,6 +27,9 @@ _STILL = 1e-9
 
 _NO_NORMAL = 0.5
 """A normal has length 1, but for rounding; where the surface has none, its length is 0 or no number."""
+
+FREEDOMS = {Way.Z: along(2), Way.VIEW: IN_VIEW, Way.NORMAL: ALONG_WAY}
+"""What may change of a point that is itself dragged."""
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,11 +5,10 @@ from __future__ import annotations
 from PySide6.QtCore import QObject, QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QMouseEvent
 
-from qovr_app.state.looking_intents import FieldFocused, Picking
-from qovr_app.state.tools import Way
+from qovr_app.state.looking_intents import FieldFocused, Picking, WindowFocused
 from qovr_app.view3d.interaction.camera_input import moved_by_mouse, pivot_under
 from qovr_app.view3d.interaction.curve_picking import curve_under, points_of
-from qovr_app.view3d.interaction.dragging import HeldPoints, PointDragger
+from qovr_app.view3d.interaction.dragging import FREEDOMS, HeldPoints, PointDragger
 from qovr_app.view3d.interaction.knot_dragging import KnotDragger
 from qovr_app.view3d.interaction.mouse_schemes import motion_of
 from qovr_app.view3d.interaction.picking import (
@@ -19,10 +18,11 @@ from qovr_app.view3d.interaction.picking import (
     menu_wish,
     points_under,
     points_within,
+    window_under,
 )
 from qovr_app.view3d.interaction.press import Doing, Press, picking_of, press_to_look
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.grip import ALONG_WAY, IN_VIEW, Freedom, along
+from qovr_app.view3d.scene.grip import Freedom
 from qovr_app.view3d.scene.hand import Band, MenuPlace
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.widgets.dragger import DRAG_START, Dragger
@@ -30,9 +30,6 @@ from qovr_core.document import NetIndex
 
 _LEFT, _RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 _SHIFT, _CONTROL = Qt.KeyboardModifier.ShiftModifier, Qt.KeyboardModifier.ControlModifier
-
-_FREEDOMS = {Way.Z: along(2), Way.VIEW: IN_VIEW, Way.NORMAL: ALONG_WAY}
-"""What may change of a point that is itself dragged."""
 
 
 class Mouse(QObject):
@@ -91,7 +88,7 @@ class Mouse(QObject):
             self._press = Press(event.button(), at, Doing.LOOK, motion, pivot_under(picture, size, at))
 
     def double_click(self, event: QMouseEvent, picture: Picture, size: Size) -> None:
-        """Reset a knot, open the fields of a point, or select a row or column; elsewhere it is another press."""
+        """Reset a knot, open a point's fields, select a row or column, turn to a window; else press again."""
         x, y = event.position().x(), event.position().y()
         is_mark = gizmo_under(picture, size, x, y) or press_to_look(event.position(), picture, size)
         if event.button() != _LEFT or self._press is not None or is_mark:
@@ -106,6 +103,8 @@ class Mouse(QObject):
         elif curve is not None:
             self.picked.emit(points_of(picture, curve), Picking.REPLACE)
             self.wanted.emit(FieldFocused(curve))
+        elif (window := window_under(picture, size, x, y)) is not None:
+            self.wanted.emit(WindowFocused(window))
         else:
             self.press(event, picture, size)
             return
@@ -207,7 +206,7 @@ class Mouse(QObject):
     def _hold(self, picture: Picture, size: Size, index: NetIndex, freedom: Freedom | None, at: QPointF) -> None:
         """Hold a point and, where it is selected, all that are selected with it."""
         others = picture.selected - {index} if index in picture.selected else frozenset()
-        way = _FREEDOMS[picture.tools.way] if freedom is None else freedom
+        way = FREEDOMS[picture.tools.way] if freedom is None else freedom
         held = HeldPoints(picture, size, (index, *sorted(others)), way, is_difference=freedom is not None)
         self._points.press(held, at)
 

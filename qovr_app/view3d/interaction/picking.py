@@ -9,13 +9,15 @@ from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.gizmo import gizmo_at
 from qovr_app.view3d.scene.grip import Freedom
 from qovr_app.view3d.scene.hand import MenuPlace, MenuWish
+from qovr_app.view3d.scene.joints import has_windows
 from qovr_app.view3d.scene.knot_handles import KnotHandle, seen_handle
 from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.net_marks import Numbers
 from qovr_app.view3d.scene.occlusion import hidden_by
 from qovr_app.view3d.scene.picture import Picture, is_in_colour_bar
+from qovr_app.view3d.scene.probing import parameters_under, window_at
 from qovr_core.arrays import Flags
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 
 PICK_RADIUS = 10.0
 """Logical pixels around a point that belong to it: twice the disc, an easy target also for a trackpad."""
@@ -82,6 +84,15 @@ def menu_wish(picture: Picture, size: Size, x: float, y: float) -> MenuWish:
     if curve is not None:
         return MenuWish(MenuPlace.NET_LINE, points_of(picture, curve), curve)
     return MenuWish(MenuPlace.VIEW)
+
+
+def window_under(picture: Picture, size: Size, x: float, y: float) -> Window | None:
+    """Return the window of the net whose surface is seen at a pixel; None beside it, and where there is only one."""
+    scene = picture.scene
+    if not picture.settings.surface or not has_windows(scene):
+        return None
+    found = parameters_under(scene, picture.camera, size, x, y)
+    return None if found is None else window_at(scene.surface, found)[0]
 
 
 def handle_under(picture: Picture, size: Size, x: float, y: float) -> KnotHandle | None:

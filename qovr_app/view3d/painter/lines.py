@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, Qt
@@ -13,8 +13,10 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.combs import combs_along
+from qovr_app.view3d.scene.curve_lines import FEW
 from qovr_app.view3d.scene.frame import Frame
-from qovr_app.view3d.scene.net_marks import gaps
+from qovr_app.view3d.scene.joints import has_windows, joint_lines, outline
+from qovr_app.view3d.scene.net_marks import gaps, shown_part
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.sections import section_lines
 from qovr_core.arrays import Array, Flags
@@ -26,6 +28,7 @@ _LEAST_GAP, _LEAST_LINES = 8.0, 32
 """Pixels between lines of a net, which are fewer where more would be a grey ground; but never fewer than so many."""
 
 _NET_WIDTH, _CURVE_WIDTH, _BOX_WIDTH, _COMPARISON_WIDTH = 1.0, 1.8, 1.0, 1.2
+_SMOOTH_WIDTH, _SHARP_WIDTH, _FOCUS_WIDTH = 1.2, 2.4, 2.4
 _TOOTH_WIDTH, _TIPS_WIDTH, _SECTION_WIDTH = 0.7, 1.3, 2.4
 _GONE = 2
 """What a piece of a line is that cannot be drawn, beside dim, 1, and not, 0."""
@@ -66,21 +69,46 @@ def lines_of(picture: Picture, size: Size) -> list[Lines]:
         found.append(Lines(edges, theme.axis, _BOX_WIDTH, _PIECES, "Box of the surface"))
     if settings.control_net:
         for net in _net_lines(picture, size):
-            pieces = max(1, min(_PIECES, _LINE_PIECES // (net.shape[1] - 1)))
-            found.append(Lines(_divided(net, pieces), theme.net, _NET_WIDTH, pieces, _NET))
+            straight = max(1, min(_PIECES, _LINE_PIECES // (max(scene.net_shape) - 1)))
+            found.append(Lines(_divided(net, straight), theme.net, _NET_WIDTH, straight, _NET))
     if settings.row_curves:
-        found.append(
-            Lines(scene.row_curves[_shown_rows(picture.net_points)], theme.row_curve, _CURVE_WIDTH, name="C_i(u)")
-        )
+        curves = _curves(picture, size, scene.row_curves, picture.net_points)
+        found.append(Lines(curves, theme.row_curve, _CURVE_WIDTH, name="C_i(u)"))
     if settings.column_curves:
-        curves = scene.column_curves[_shown_rows(picture.net_points.transpose(1, 0, 2))]
+        curves = _curves(picture, size, scene.column_curves, picture.net_points.transpose(1, 0, 2))
         found.append(Lines(curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
-    found += _combs(picture)
+    found += _joints(picture, size) + _combs(picture)
     if settings.section is not None:
         name, pieces = section_lines(scene, settings.section)
         found += [Lines(piece[None], theme.section, _SECTION_WIDTH, name=name) for piece in pieces]
     if len(scene.lines):
         found.append(Lines(scene.lines, theme.comparison, _COMPARISON_WIDTH, name=scene.lines_name))
+    return found
+
+
+def _curves(picture: Picture, size: Size, curves: Array, net: Array) -> Array:
+    """Return the curves of the lines of a net (k, l, 3) of which some point is shown, fewer where they crowd."""
+    curves = curves[np.isfinite(net[..., 0]).any(axis=1)]
+    if len(curves) <= _LEAST_LINES:
+        return curves
+    return _some(curves, gaps(picture.camera.project(net, size))[1])[:, :: FEW if picture.moving else 1]
+
+
+def _joints(picture: Picture, size: Size) -> list[Lines]:
+    """Return the joints of a net's windows and the outline of the one in focus; of small ones only what is rare."""
+    scene, theme, found = picture.scene, picture.theme, list[Lines]()
+    if not picture.settings.joints or not has_windows(scene):
+        return found
+    corners, joints = scene.window_corners, joint_lines(scene)
+    gap = min(gaps(picture.camera.project(corners, size)))
+    if gap >= _LEAST_GAP:
+        found += [Lines(each, theme.smooth_joint, _SMOOTH_WIDTH, name="Smooth joint") for each in joints.smooth]
+    for each in joints.sharp:
+        found.append(Lines(_some(each, gap), theme.sharp_joint, _SHARP_WIDTH, name="Sharp joint"))
+    if picture.window is not None:
+        found.append(Lines(outline(scene, picture.window), theme.selected, _FOCUS_WIDTH, name="Window in focus"))
+    if gap < FEW * _LEAST_GAP:  # one piece is then enough for so many
+        found = [replace(lines, points=lines.points[:, ::FEW]) for lines in found]
     return found
 
 
@@ -139,17 +167,13 @@ def _divided(corners: Array, count: int = _PIECES) -> Array:
 
 def _net_lines(picture: Picture, size: Size) -> list[Array]:
     """Return rows and columns of the net (k, l, 3) as polylines: in one array where they are equally long."""
-    points = picture.net_points
+    part = shown_part(picture)
+    points = part.of(picture.net_points)
     rows, columns = points, points.transpose(1, 0, 2)
     if max(points.shape) > _LEAST_LINES:
         across, along = gaps(picture.camera.project(points, size))
         rows, columns = _some(rows, along), _some(columns, across)
     return [np.concatenate([rows, columns])] if rows.shape[1:] == columns.shape[1:] else [rows, columns]
-
-
-def _shown_rows(net: Array) -> Flags:
-    """Return in which rows of a net (k, l, 3) some point is shown, (k,)."""
-    return np.array(np.isfinite(net[..., 0]).any(axis=1))
 
 
 def _some(lines: Array, gap: float) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from PySide6.QtCore import QPointF
@@ -15,7 +16,7 @@ from qovr_app.view3d.painter.legend import Room
 from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.net_flags import flags_of
-from qovr_app.view3d.scene.net_marks import LAST, MANY, OTHER, covers, gaps, is_within, levels, ranks, with_room
+from qovr_app.view3d.scene.net_marks import LAST, MANY, OTHER, NetPart, covers, is_within, levels, ranks, with_room
 from qovr_app.view3d.scene.picture import Picture, emphasis, has_colour_bar
 from qovr_app.view3d.scene.triad import REACH, has_triad, triad_centre
 from qovr_core.arrays import Array, Flags
@@ -39,14 +40,46 @@ _HIDDEN, _SEEN_THROUGH = 0.45, 0.75
 """Opacity of points that the surface hides: as a rule, and where one looks through it."""
 
 
-def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags, size: Size) -> None:
-    """Draw the control points at pixels (k, l, 2), dim where they are hidden, (k, l)."""
-    theme, larger = picture.theme, emphasis(size)
-    radius = larger * _radius(seen)
-    selected, is_seen = flags_of(picture.selected, hidden.shape), is_within(seen, size)
+@dataclass(frozen=True, eq=False)
+class SeenNet:
+    """The control points as they are seen.
+
+    Parameters
+    ----------
+    shape : of the net, rows and columns
+    part : which of its points they are
+    at : (k, l, 2) their pixels
+    hidden : (k, l) whether the surface hides them
+    """
+
+    shape: tuple[int, int]
+    part: NetPart
+    at: Array
+    hidden: Flags
+
+    @property
+    def gap(self) -> float:
+        """Pixels between neighbours of the whole net, in the direction in which there are more."""
+        return max(self.part.gaps(self.at))
+
+    @property
+    def is_thinned(self) -> bool:
+        """Whether the net has points that are not among them."""
+        return self.hidden.shape != self.shape
+
+    def flags(self, points: frozenset[NetIndex]) -> Flags:
+        """Return which of them are among some points of the net, (k, l)."""
+        return self.part.of(flags_of(points, self.shape))
+
+
+def draw_points(painter: QPainter, picture: Picture, net: SeenNet, size: Size) -> None:
+    """Draw the control points, dim where they are hidden."""
+    theme, larger, seen, hidden = picture.theme, emphasis(size), net.at, net.hidden
+    radius = larger * _radius(net.gap)
+    selected, is_seen = net.flags(picture.selected), is_within(seen, size)
     dim = _SEEN_THROUGH if picture.tools.xray else _HIDDEN
     for points, halo in ((picture.pending, theme.pending), (picture.refused, theme.bad)):
-        flags = flags_of(points, hidden.shape) & is_seen
+        flags = net.flags(points) & is_seen
         draw_discs(painter, seen[flags], size, Disc(larger * _HALO_RADIUS, halo, theme.rim))
     for flags, opacity in ((hidden & ~selected, dim), (~hidden & ~selected, 1.0)):
         draw_discs(painter, seen[flags & is_seen], size, Disc(radius, theme.point, theme.rim, opacity))
@@ -54,15 +87,18 @@ def draw_points(painter: QPainter, picture: Picture, seen: Array, hidden: Flags,
     draw_discs(painter, chosen, size, Disc(_RING_RADIUS * scale, theme.rim, theme.selected))
     draw_discs(painter, chosen, size, Disc(_MARKED_RADIUS * scale, theme.selected, theme.rim))
     for index in (picture.last_selected, picture.hovered):
-        if index is None or not is_seen[index]:
+        if index is None:
+            continue
+        at = net.part.place(index)
+        if not is_seen[at]:
             continue
         if index == picture.last_selected:
             painter.setBrush(QColor(*theme.rim))
             painter.setPen(QPen(QColor(*_ring_colour(picture, index)), _RING_WIDTH))
             ring = larger * _RING_RADIUS
-            painter.drawEllipse(QPointF(*seen[index].tolist()), ring, ring)
-        colour = theme.selected if selected[index] else theme.point
-        draw_discs(painter, seen[index][None], size, Disc(larger * _MARKED_RADIUS, colour, theme.rim))
+            painter.drawEllipse(QPointF(*seen[at].tolist()), ring, ring)
+        colour = theme.selected if selected[at] else theme.point
+        draw_discs(painter, seen[at][None], size, Disc(larger * _MARKED_RADIUS, colour, theme.rim))
 
 
 def _ring_colour(picture: Picture, index: NetIndex) -> Rgb:
@@ -73,40 +109,37 @@ def _ring_colour(picture: Picture, index: NetIndex) -> Rgb:
     return theme.pending if index in picture.pending else theme.selected
 
 
-def _radius(seen: Array) -> float:
-    return round(min(POINT_RADIUS, max(_LEAST_RADIUS, _PART_OF_GAP * max(gaps(seen)))), 1)
+def _radius(gap: float) -> float:
+    return round(min(POINT_RADIUS, max(_LEAST_RADIUS, _PART_OF_GAP * gap)), 1)
 
 
-def draw_labels(
-    painter: QPainter, picture: Picture, points: tuple[Array, Flags], size: Size, legend: Room | None
-) -> None:
+def draw_labels(painter: QPainter, picture: Picture, net: SeenNet, size: Size, legend: Room | None) -> None:
     """Name the points that are visible, hovered or selected, as far as the names have room.
 
     Parameters
     ----------
-    points : their pixels (k, l, 2), and which are hidden, (k, l)
     legend : where it lies
     """
-    seen, hidden = points
-    theme, rank, (rows, columns) = picture.theme, ranks(picture), hidden.shape
+    seen, hidden, part, (rows, columns) = net.at, net.hidden, net.part, net.shape
+    theme, rank, level = picture.theme, part.of(ranks(picture)), part.of(levels((rows, columns)))
     wanted = (rank != OTHER) | ~hidden
     i, j = np.nonzero(wanted & is_within(seen, size))
     if not len(i):
         return
-    order = np.lexsort((-levels((rows, columns))[i, j], rank[i, j]))
+    order = np.lexsort((-level[i, j], rank[i, j]))
     i, j = i[order], j[order]
     larger, rank = emphasis(size), rank[i, j]
     pixels, offset = round(larger * SMALL), larger * np.array(_LABEL_OFFSET)
     width, height = text_size(_name(rows - 1, columns - 1), pixels)
     taken = np.array([*_taken(picture, size), *([legend] if legend else [])])
-    discs = _discs(picture, seen, size, larger)
+    discs = _discs(picture, net, size, larger)
     # The name of a selected point begins beside its ring, and is away from the arrows where it has some.
     beside = offset[0] + np.where(rank != OTHER, larger * _RING_RADIUS, 0.0)
     at = seen[i, j] + [0.0, offset[1] - _LABEL_RISE * height]
     corners = _beside(at, beside, (width, height), (rank == LAST) & picture.has_gizmo, (discs, taken))
     is_wanted = (rank != OTHER) | ~covers(corners, (width, height), discs)
-    i, j, rank, corners = i[is_wanted], j[is_wanted], rank[is_wanted], corners[is_wanted]
-    more = float(np.clip(_CROWDED * width / max(*gaps(seen), _LEAST_RADIUS), 1.0, _MOST_ROOM))
+    i, j, rank, corners = part.rows[i[is_wanted]], part.columns[j[is_wanted]], rank[is_wanted], corners[is_wanted]
+    more = float(np.clip(_CROWDED * width / max(net.gap, _LEAST_RADIUS), 1.0, _MOST_ROOM))
     marked = int((rank != OTHER).sum())
     chosen, opacities = with_room(corners, (more * width, more * height), taken, marked)
     for number, opacity in zip(chosen.tolist(), opacities.tolist(), strict=True):
@@ -136,12 +169,12 @@ def _beside(at: Array, beside: Array, room: tuple[float, float], turns: Flags, g
     return corners
 
 
-def _discs(picture: Picture, seen: Array, size: Size, larger: float) -> Array:
+def _discs(picture: Picture, net: SeenNet, size: Size, larger: float) -> Array:
     """Return the boxes of the discs, which only the name of a marked point covers, (m, 4); none where they are many."""
-    places = seen[is_within(seen, size)]
-    if not picture.settings.control_points or len(places) > MANY:
+    places = net.at[is_within(net.at, size)]
+    if not picture.settings.control_points or len(places) > MANY or net.is_thinned:
         return np.empty((0, 4))
-    reach = larger * _radius(seen)
+    reach = larger * _radius(net.gap)
     return np.concatenate([places - reach, places + reach], axis=1)
 
 

@@ -32,7 +32,8 @@ Rows = list[tuple[str, tuple[float, ...]]]
 
 def readout_rows(reading: Reading) -> Rows:
     """Return what each line says: names, the letters after ``_`` being a subscript, and their numbers."""
-    rows: Rows = [
+    rows: Rows = [] if reading.window is None else [("window", reading.window)]
+    rows += [
         ("u, v", (reading.u, reading.v)),
         (_COORDINATES, tuple(reading.point.tolist())),
         ("normal", tuple(reading.normal.tolist())),

@@ -10,7 +10,8 @@ from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
 from qovr_app.state.display import Style
 from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.scene.camera import Size
-from qovr_app.view3d.scene.mesh import Counts, surface_vertices
+from qovr_app.view3d.scene.grid import Grid, cell_corners
+from qovr_app.view3d.scene.mesh import surface_vertices
 from qovr_app.view3d.scene.patterns import BELOW, BELOW_PART
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_width, relief
@@ -44,32 +45,30 @@ def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
     if not settings.surface:
         return
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-    counts = _counts(picture)
+    grid = _grid(picture)
     vertices = np.concatenate(
-        [surface_vertices(scene.patch, counts), picture.colouring.parts(counts)[..., None]], axis=-1, dtype=np.float64
+        [surface_vertices(scene.patch, grid), picture.colouring.parts(grid)[..., None]], axis=-1, dtype=np.float64
     )
     seen = picture.camera.project(vertices[..., :3], size)
     if settings.style is Style.POINTS:
         _paint_points(painter, picture, vertices, seen)
     else:
-        _paint_cells(painter, picture, vertices, seen)
+        _paint_cells(painter, picture, _cells(vertices, grid), _cells(seen, grid))
 
 
-def _counts(picture: Picture) -> Counts:
+def _grid(picture: Picture) -> Grid:
     limit = _MOVING_CELLS if picture.moving else _RESTING_CELLS
-    n, m = picture.counts
-    return min(n, limit + 1), min(m, limit + 1)
+    return picture.grid.within((limit, limit)).fewer(limit)
 
 
-def _cells(values: Array) -> Array:
-    """Return the four corners of every cell, ((n - 1) (m - 1), 4, k), the first one being [iu, iv]."""
-    corners = [values[:-1, :-1], values[1:, :-1], values[1:, 1:], values[:-1, 1:]]
-    return np.stack(corners, axis=2).reshape(-1, 4, values.shape[-1])
+def _cells(values: Array, grid: Grid) -> Array:
+    """Return the four corners of every cell, (cells, 4, k), the first one being the one at which it begins."""
+    return np.stack(cell_corners(values, grid), axis=2).reshape(-1, 4, values.shape[-1])
 
 
-def _paint_cells(painter: QPainter, picture: Picture, vertices: Array, seen: Array) -> None:
+def _paint_cells(painter: QPainter, picture: Picture, cells: Array, corners: Array) -> None:
+    """Paint cells (k, 4, 7) whose corners are seen at pixels (k, 4, 3)."""
     style = picture.settings.style
-    corners, cells = _cells(seen), _cells(vertices)
     in_front = np.isfinite(corners).all(axis=(1, 2))
     corners, cells = corners[in_front], cells[in_front]
     order = np.argsort(-corners[..., 2].mean(axis=1))

@@ -13,7 +13,8 @@ from qovr_app.state.display import ColourRange, DisplaySettings, Scaling
 from qovr_app.state.names import label
 from qovr_app.style.colour_maps import DIVERGING, ENTRIES, colour_table
 from qovr_app.style.theme import Rgb
-from qovr_app.view3d.scene.mesh import Counts, FloatArray
+from qovr_app.view3d.scene.grid import Grid
+from qovr_app.view3d.scene.mesh import FloatArray
 from qovr_app.view3d.scene.patterns import PATTERNS, Pattern
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array, read_only
@@ -46,7 +47,7 @@ class Colouring:
     limits : the values at the ends of the colours; NaN where nothing has a value
     beyond : whether values lie below the lower limit, and above the upper one
     note : what keeps the picture from saying more, and how to change that; else empty
-    values : gives the values on a grid of so many vertices, (n, m) float64, NaN where there are none
+    values : gives the values at the vertices of a grid, (n, m) float64, NaN where there are none
     pattern : what the colours show instead of values; None where they show values
     """
 
@@ -55,17 +56,17 @@ class Colouring:
     limits: Range = _NO_RANGE
     beyond: tuple[bool, bool] = (False, False)
     note: str = ""
-    values: Callable[[Counts], Array] = lambda counts: np.full(counts, np.nan)
+    values: Callable[[Grid], Array] = lambda grid: np.full(grid.shape, np.nan)
     pattern: Pattern | None = None
 
-    def parts(self, counts: Counts) -> FloatArray:
+    def parts(self, grid: Grid) -> FloatArray:
         """Return where in the colours the values on a grid lie: 0 and 1 are the ends, ``UNDEFINED`` is nowhere.
 
         Returns
         -------
         (n, m) float32, read-only
         """
-        values, (low, high) = self.values(counts), self.limits
+        values, (low, high) = self.values(grid), self.limits
         parts = np.subtract(values, low)
         if high > low:
             parts /= high - low
@@ -82,22 +83,22 @@ class Colouring:
         return np.where(is_undefined[..., None], np.array(undefined, dtype=np.uint8), self.table[entries])
 
 
-def colouring_of(scene: Scene, settings: DisplaySettings, counts: Counts, *, moving: bool) -> Colouring:
+def colouring_of(scene: Scene, settings: DisplaySettings, grid: Grid, *, moving: bool) -> Colouring:
     """Return what the colours say of a scene; while the same is asked, the very same object.
 
     Parameters
     ----------
-    counts : the grid from which limits are taken where the settings leave them open
+    grid : from whose vertices limits are taken where the settings leave them open
     moving : something moves, so that costly values are taken from a coarser grid
     """
     key = (settings.shown_colours, settings.colour_map, settings.colour_range, settings.fixed_range, settings.scaling)
-    found = scene.cache.get((key, counts, moving))
+    found = scene.cache.get((key, grid, moving))
     if found is None:
         if settings.shown_colours in PATTERNS:
             found = _pattern_colouring(PATTERNS[settings.shown_colours], settings)
         else:
-            found = _field_colouring(scene, settings, counts, moving)
-        scene.cache[key, counts, moving] = found
+            found = _field_colouring(scene, settings, grid, moving)
+        scene.cache[key, grid, moving] = found
     return found
 
 
@@ -115,18 +116,18 @@ def _steps(colours: tuple[Rgb, ...]) -> npt.NDArray[np.uint8]:
     return read_only(np.array(colours, dtype=np.uint8)[steps])
 
 
-def _field_colouring(scene: Scene, settings: DisplaySettings, counts: Counts, moving: bool) -> Colouring:
+def _field_colouring(scene: Scene, settings: DisplaySettings, grid: Grid, moving: bool) -> Colouring:
     field = FIELDS[settings.colour_by]
     title, note = _title(scene, field), _missing(scene, field)
     colour_map = DIVERGING if field.is_diverging else settings.colour_map
     if note:
         return Colouring(colour_table(colour_map), title, note=note)
 
-    def values(counts: Counts) -> Array:
-        return scene.values(field, counts, moving=moving)
+    def values(grid: Grid) -> Array:
+        return scene.values(field, grid, moving=moving)
 
     alike = [scene, *(peer for peer in scene.peers if not _missing(peer, field))]
-    seen = np.stack([each.values(field, counts, moving=moving) for each in alike])
+    seen = np.concatenate([each.values(field, grid.over(each.surface), moving=moving).ravel() for each in alike])
     limits, beyond = _limits(scene, settings, field, seen, moving)
     table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
     return Colouring(table, title, limits, beyond, _remark(scene, field, limits), values)

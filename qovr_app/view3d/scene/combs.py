@@ -6,11 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from qovr_app.view3d.scene.grid import parameters, shared_grid
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry.combs import ISOLINES, curvature_vectors
 
-_TEETH = 49
+_GAPS = 48
+"""Between the teeth of one comb, at least; every window of a net has as many, and teeth of its own at its ends."""
+
 _LONGEST = 0.4
 """The longest tooth of all in the unit space, whose axes box is about 2 wide, at scale 1."""
 
@@ -41,10 +44,11 @@ def combs_along(scene: Scene, *, is_u: bool, scale: float) -> Combs:
 
 
 def _made(scene: Scene, is_u: bool, scale: float) -> Combs:
-    few, many = np.linspace(0.0, 1.0, ISOLINES), np.linspace(0.0, 1.0, _TEETH)
+    few = [np.linspace(*ends, ISOLINES) for ends in scene.surface.domain]
+    many = parameters(scene.surface, shared_grid(scene.surface, (_GAPS, _GAPS)))
     feet, vectors = [], []
     for along in (True, False):  # one scale for both, so that their teeth can be compared
-        u, v = (many, few) if along else (few, many)
+        u, v = (many[0], few[1]) if along else (few[0], many[1])
         first, second = (scene.surface.derivative(u, v, *((k, 0) if along else (0, k))) for k in (1, 2))
         places, curvature = scene.surface.points(u, v), curvature_vectors(first, second) * scene.frame.scale
         turned = (1, 0, 2) if along else (0, 1, 2)

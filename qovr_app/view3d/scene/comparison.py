@@ -72,14 +72,14 @@ class OtherSurface:
     @cached_property
     def box(self) -> Array:
         """Its sampled box, (3, 2) with columns min and max."""
-        samples = np.linspace(0.0, 1.0, _BOX_SAMPLES)
-        return bounding_box(self.surface.points(samples, samples))
+        u, v = (np.linspace(*ends, _BOX_SAMPLES) for ends in self.surface.domain)
+        return bounding_box(self.surface.points(u, v))
 
     def isolines(self) -> Array:
         """Return isoparametric lines, (k, n, 3): those along u, then those along v."""
-        few, many = np.linspace(0.0, 1.0, _LINES), np.linspace(0.0, 1.0, _LINE_POINTS)
-        along_u = self.surface.points(many, few).transpose(1, 0, 2)
-        return read_only(np.concatenate([along_u, self.surface.points(few, many)]))
+        few, many = ([np.linspace(*ends, count) for ends in self.surface.domain] for count in (_LINES, _LINE_POINTS))
+        along_u = self.surface.points(many[0], few[1]).transpose(1, 0, 2)
+        return read_only(np.concatenate([along_u, self.surface.points(few[0], many[1])]))
 
 
 def compared(own: Scene, other: OtherSurface) -> tuple[Scene, ...]:

@@ -1,4 +1,4 @@
-"""The display grid: vertices and triangles of a patch, at a resolution that is the view's own affair."""
+"""The vertices and triangles of a surface, at a resolution that is the view's own affair."""
 
 from __future__ import annotations
 
@@ -7,29 +7,21 @@ from functools import lru_cache
 import numpy as np
 import numpy.typing as npt
 
-from qovr_app.state.display import Style
 from qovr_app.view3d.scene.frame import FARTHEST
+from qovr_app.view3d.scene.grid import Grid, cell_starts, parameters, window_starts
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry.bernstein import basis
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 
 FloatArray = npt.NDArray[np.float32]
-Counts = tuple[int, int]
-"""Vertices along u and along v."""
-
-MOVING_LIMIT, MOVING_POINTS = 49, 101
-"""Vertices a side while something moves. With exact normals, lines and facets that need no vertices, finer
-ones look the same; where each vertex is seen, as a point, the paper's 101 are."""
-
-RESTING_LIMIT = 201
-"""Vertices a side at rest: silhouettes stay round in a large window and in figures."""
 
 _SINGULAR = 1e-12
-"""Squared length of S_u x S_v, in unit space, below which single precision no longer knows its direction."""
+"""Squared length of S_u x S_v, in unit space, below which single precision no longer knows its direction; by the
+parameters of one window, which are longer where there are many."""
 
 
-@lru_cache(maxsize=32)
+@lru_cache(maxsize=64)
 def _bases(count: int) -> tuple[FloatArray, FloatArray]:
     """Return the Bernstein polynomials and their derivatives at ``count`` even parameters, each (count,
     7)."""
@@ -40,101 +32,135 @@ def _bases(count: int) -> tuple[FloatArray, FloatArray]:
     return read_only(values.astype(np.float32)), read_only(slopes.astype(np.float32))
 
 
-def surface_vertices(surface: ParametricSurface, counts: Counts) -> FloatArray:
+def surface_vertices(surface: ParametricSurface, grid: Grid) -> FloatArray:
     """Return positions and exact normals of a surface in unit space.
 
     The normals are those of the surface as it is shown, scaled to the axes box, and not of unit length: the
-    shaders normalise them anyway.
+    shaders normalise them anyway. On the edges of a window they are the window's own.
 
     Returns
     -------
     (n, m, 6) float32, read-only: x, y, z, none of them beyond ``FARTHEST``, and the normal, indexed [iu, iv]
     """
-    if isinstance(surface, Patch) and np.abs(surface.coefficients).max() <= FARTHEST:
-        return _patch_vertices(surface, counts)
-    u, v = (np.linspace(0.0, 1.0, count) for count in counts)
+    if isinstance(surface, Patch) and _is_in_sight(surface.coefficients):
+        return read_only(_patch_vertices(_drawn(surface, grid), grid))
+    u, v = parameters(surface, grid)
     points = np.clip(surface.points(u, v), -FARTHEST, FARTHEST)
     return read_only(np.concatenate([points, surface.normals(u, v)], axis=-1, dtype=np.float32))
 
 
-def _patch_vertices(patch: Patch, counts: Counts) -> FloatArray:
-    """Return the same for a patch, in single precision throughout: this is what every frame of a drag waits for."""
-    (n, m), (along_u, slope_u), (along_v, slope_v) = counts, _bases(counts[0]), _bases(counts[1])
-    table = patch.coefficients[0, 0].transpose(1, 2, 0).reshape(PATCH_DEGREE + 1, -1).astype(np.float32)
-    in_v = (along_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
-    in_slope_v = (slope_v @ table).reshape(m, 3, -1).transpose(2, 1, 0).reshape(-1, 3 * m)
-    points, su, sv = (
-        (left @ right).reshape(n, 3, m) for left, right in ((along_u, in_v), (slope_u, in_v), (along_u, in_slope_v))
+def revised_vertices(
+    vertices: FloatArray, before: ParametricSurface, after: ParametricSurface, grid: Grid
+) -> tuple[FloatArray, slice]:
+    """Return the vertices of a surface by those of another on the same grid, from which it may differ in few windows.
+
+    Returns
+    -------
+    the vertices, as of ``surface_vertices``, and the rows, along u, that are not what they were
+    """
+    whole = slice(0, len(vertices))
+    if not isinstance(before, Patch) or not isinstance(after, Patch) or before.windows != after.windows:
+        return surface_vertices(after, grid), whole
+    before, drawn = _drawn(before, grid), _drawn(after, grid)
+    a, b = np.nonzero((before.coefficients != drawn.coefficients).any(axis=(2, 3, 4)))
+    if not len(a):
+        return vertices, slice(0, 0)
+    along_v, along_u = (slice(int(each.min()), int(each.max()) + 1) for each in (a, b))
+    coefficients = drawn.coefficients[along_v, along_u]
+    if 2 * coefficients.size > drawn.coefficients.size or not _is_in_sight(coefficients):
+        return surface_vertices(after, grid), whole
+    rows, columns = (
+        slice(*window_starts(cells)[[along.start, along.stop]].tolist())
+        for cells, along in ((grid.u, along_u), (grid.v, along_v))
     )
+    revised = vertices.copy()
+    revised[rows, columns] = _patch_vertices(Patch(coefficients, after.degree), grid.of_windows(along_v, along_u))
+    return read_only(revised), rows
+
+
+def _drawn(patch: Patch, grid: Grid) -> Patch:
+    """Return a patch with the same corners and normals there, in which windows that are together are one."""
+    if grid.together == (1, 1):
+        return patch
+    coefficients, half = patch.coefficients, PATCH_DEGREE // 2 + 1
+    for axis, some in ((1, grid.together[0]), (0, grid.together[1])):
+        count = coefficients.shape[axis]
+        first = np.arange(0, count, some)
+        last = np.minimum(first + some - 1, count - 1)
+        begin, end = (np.moveaxis(coefficients.take(numbers, axis), 3 - axis, 0) for numbers in (first, last))
+        coefficients = np.moveaxis(np.concatenate([begin[:half], end[half:]]), 0, 3 - axis)
+    return Patch(read_only(np.ascontiguousarray(coefficients)), patch.degree)
+
+
+def _is_in_sight(coefficients: Array) -> bool:
+    return bool(np.abs(coefficients).max() <= FARTHEST)
+
+
+def _patch_vertices(patch: Patch, grid: Grid) -> FloatArray:
+    """Return the same for a patch, in single precision throughout: this is what every frame of a drag waits for."""
+    in_v, in_slope_v = _curves_in_v(patch, grid)
+    (n, m), width = grid.shape, in_v.shape[-1]
+    points, su, sv = np.empty((3, n, width), dtype=np.float32)
+    starts = window_starts(grid.u).tolist()
+    for window, cells in enumerate(grid.u):
+        rows, (values, slopes) = slice(starts[window], starts[window + 1]), _bases(cells + 1)
+        np.matmul(values, in_v[window], out=points[rows])
+        np.matmul(slopes, in_v[window], out=su[rows])
+        np.matmul(values, in_slope_v[window], out=sv[rows])
+    points, su, sv = (part.reshape(n, 3, m) for part in (points, su, sv))
     vertices = np.empty((n, m, 6), dtype=np.float32)
     vertices[..., :3] = points.transpose(0, 2, 1)
     for k, (a, b) in enumerate(((1, 2), (2, 0), (0, 1))):
         np.subtract(su[:, a] * sv[:, b], su[:, b] * sv[:, a], out=vertices[..., 3 + k])
-    normals = vertices[..., 3:]
-    if np.einsum("ijk,ijk->ij", normals, normals).min() < _SINGULAR:
-        u, v = (np.linspace(0.0, 1.0, count) for count in counts)
-        normals[:] = patch.normals(u, v)
-    return read_only(vertices)
+    _mend_normals(vertices[..., 3:], patch, grid)
+    return vertices
+
+
+def _curves_in_v(patch: Patch, grid: Grid) -> tuple[FloatArray, FloatArray]:
+    """Return, for every window along u and each coefficient along u, the points of its curve in v and their slopes.
+
+    Returns
+    -------
+    two arrays (n, 7, 3 M), of which the last axis has all x before all y
+    """
+    n = patch.windows[1]
+    count, starts = grid.shape[1], window_starts(grid.v).tolist()
+    in_v, in_slope_v = np.empty((2, n, PATCH_DEGREE + 1, 3, count), dtype=np.float32)
+    for window, cells in enumerate(grid.v):
+        # (n, u, v, 3) as (v, 3 n u)
+        table = patch.coefficients[window].transpose(2, 3, 0, 1).reshape(PATCH_DEGREE + 1, -1).astype(np.float32)
+        columns = slice(starts[window], starts[window + 1])
+        for functions, result in zip(_bases(cells + 1), (in_v, in_slope_v), strict=True):
+            found = (functions @ table).reshape(cells + 1, 3, n, PATCH_DEGREE + 1)
+            result[..., columns] = found.transpose(2, 3, 1, 0)
+    flat = n, PATCH_DEGREE + 1, 3 * count
+    return in_v.reshape(flat), in_slope_v.reshape(flat)
+
+
+def _mend_normals(normals: FloatArray, patch: Patch, grid: Grid) -> None:
+    """Take normals from double precision in windows in which some have no direction in single precision."""
+    squared = np.einsum("ijk,ijk->ij", normals, normals)
+    m, n = patch.windows
+    least = _SINGULAR / (m * n) ** 2
+    if squared.min() >= least:
+        return
+    starts = window_starts(grid.u), window_starts(grid.v)
+    low = np.minimum.reduceat(np.minimum.reduceat(squared, starts[0][:-1], axis=0), starts[1][:-1], axis=1)
+    for b, a in np.argwhere(low < least).tolist():
+        rows, columns = (slice(*each[[k, k + 1]].tolist()) for each, k in zip(starts, (b, a), strict=True))
+        u, v = (np.linspace(0.0, 1.0, count + 1) for count in (grid.u[b], grid.v[a]))
+        normals[rows, columns] = patch.window(a, b).normals(u, v)
 
 
 @lru_cache(maxsize=8)
-def triangle_indices(counts: Counts) -> npt.NDArray[np.uint32]:
+def triangle_indices(grid: Grid) -> npt.NDArray[np.uint32]:
     """Return two triangles a cell, wound around S_u x S_v.
 
     Returns
     -------
-    ((n - 1) (m - 1) 6,) uint32, read-only
+    (cells 6,) uint32, read-only
     """
-    n, m = counts
-    corner = (np.arange(n - 1)[:, None] * m + np.arange(m - 1)).astype(np.uint32)[..., None]
+    m = grid.shape[1]
+    corner = (cell_starts(grid.u)[:, None] * m + cell_starts(grid.v)).astype(np.uint32)[..., None]
     cell = np.array([m, m + 1, 0, m + 1, 1, 0], dtype=np.uint32)
     return read_only((corner + cell).ravel())
-
-
-def display_counts(samples: Counts, style: Style, *, moving: bool) -> Counts:
-    """Return the display grid of a document with these samples; coarse facets and points stay coarse."""
-    limit = MOVING_LIMIT if moving else RESTING_LIMIT
-    if style is Style.POINTS and moving:
-        limit = MOVING_POINTS
-    if style not in (Style.FACETS, Style.POINTS):
-        return limit, limit
-    return min(samples[0], limit), min(samples[1], limit)
-
-
-def facet_counts(samples: Counts) -> Counts:
-    """Return the corners of facets along u and v: the samples, as far as facets can be told apart."""
-    return min(samples[0], RESTING_LIMIT), min(samples[1], RESTING_LIMIT)
-
-
-def spread(values: Array, counts: Counts) -> Array:
-    """Return values (n, m) at even parameters on a finer or an equal grid, linear between them.
-
-    What lies beside a NaN is one, too.
-    """
-    for axis, count in enumerate(counts):
-        few = values.shape[axis]
-        if few != count:
-            at = np.linspace(0.0, few - 1.0, count)
-            lower = np.minimum(at.astype(np.intp), few - 2)
-            part = np.expand_dims(at - lower, 1 - axis)
-            values = np.take(values, lower, axis) * (1 - part) + np.take(values, lower + 1, axis) * part
-    return values
-
-
-def curve_points(coefficients: Array, count: int) -> Array:
-    """Return ``count`` points of Bezier curves.
-
-    Parameters
-    ----------
-    coefficients : (k, 7, 3)
-
-    Returns
-    -------
-    (k, count, 3) float64
-    """
-    return _curve_basis(count) @ coefficients
-
-
-@lru_cache(maxsize=4)
-def _curve_basis(count: int) -> Array:
-    return read_only(basis(PATCH_DEGREE, np.linspace(0.0, 1.0, count)))

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
 from functools import lru_cache
+from typing import TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -11,19 +14,68 @@ from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array, Flags, read_only
+from qovr_core.document import NetIndex
 
 Numbers = npt.NDArray[np.intp]
+_Number = TypeVar("_Number", bound=np.generic)
 
 _FADES_WITHIN = 0.4
 """Part of a name's room beyond its neighbour's in which it fades in: none springs up while one zooms."""
 
 _FAINTEST = 0.25
 
+_MOVING = 24
+"""Rows, and columns, of points that are shown at most of more than twice as many, while something moves."""
+
+_FEW_MARKED = 8
+
 MANY = 200
 """Points above which names thin out by their room alone: of their boxes, the first in every cell is looked at."""
 
 LAST, HOVERED, SELECTED, OTHER = range(4)
 """Ranks of points: whose name has the right of way."""
+
+
+@dataclass(frozen=True, eq=False)
+class NetPart:
+    """Some rows and columns of a net, by their numbers: all, or while something moves those of a coarser one."""
+
+    rows: Numbers
+    columns: Numbers
+
+    def of(self, net: npt.NDArray[_Number]) -> npt.NDArray[_Number]:
+        """Return what an array over the net, (rows, columns, ...), has there."""
+        return net if net.shape[:2] == (len(self.rows), len(self.columns)) else net[np.ix_(self.rows, self.columns)]
+
+    def place(self, index: NetIndex) -> NetIndex:
+        """Return where a point that is in the part stands in it."""
+        i, j = (int(np.searchsorted(numbers, k)) for numbers, k in zip((self.rows, self.columns), index, strict=True))
+        return i, j
+
+    def gaps(self, seen: Array) -> tuple[float, float]:
+        """Return ``gaps`` of the whole net by the part at pixels (k, l, 2+)."""
+        along, across = gaps(seen)
+        column, row = ((numbers[-1] - numbers[0]) / (len(numbers) - 1) for numbers in (self.columns, self.rows))
+        return float(along / column), float(across / row)
+
+
+def shown_part(picture: Picture) -> NetPart:
+    """Return the part of the net that a picture shows: marked points are in it as long as they are few."""
+    shape = picture.scene.net_shape
+    marked = [index for index in (picture.hovered, picture.last_selected) if index is not None]
+    marked += picture.selected if len(picture.selected) <= _FEW_MARKED else []
+    rows, columns = (
+        _shown_numbers(count, frozenset(numbers), moving=picture.moving)
+        for count, numbers in zip(shape, zip(*marked, strict=True) if marked else ((), ()), strict=True)
+    )
+    return NetPart(rows, columns)
+
+
+@lru_cache(maxsize=16)
+def _shown_numbers(count: int, marked: frozenset[int], *, moving: bool) -> Numbers:
+    step = 2 ** math.ceil(math.log2(count / _MOVING)) if moving and count > 2 * _MOVING else 1
+    wanted = {*range(0, count, step), count - 1, *(number for number in marked if number < count)}
+    return read_only(np.array(sorted(wanted)))
 
 
 def gaps(seen: Array) -> tuple[float, float]:

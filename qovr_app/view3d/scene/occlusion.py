@@ -15,21 +15,14 @@ import numpy.typing as npt
 
 from qovr_app.state.display import Style
 from qovr_app.view3d.scene.camera import Camera, Size
-from qovr_app.view3d.scene.mesh import surface_vertices
+from qovr_app.view3d.scene.grid import cell_corners
 from qovr_app.view3d.scene.picture import Picture
+from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array, Flags, read_only
-from qovr_core.geometry.differential import ParametricSurface
 
 _CELLS = 36
-"""Cells a side: the hidden parts of lines then end within a pixel or two of where the drawn surface
+"""Cells a side, at least: the hidden parts of lines then end within a pixel or two of where the drawn surface
 begins."""
-
-_BLOCK = 6
-"""Cells a side of a block; the two levels then cost about the same."""
-
-_BLOCKS = _CELLS // _BLOCK
-_FIRST, _SECOND = slice(None, -1), slice(1, None)
-_CORNERS = ((_FIRST, _FIRST), (_SECOND, _FIRST), (_SECOND, _SECOND), (_FIRST, _SECOND))
 
 _IN_FRONT = 0.012
 """Unit lengths by which the surface must lie nearer than a mark to hide it: curves on the surface stay
@@ -49,7 +42,18 @@ def hidden_by(picture: Picture, marks: Array, size: Size) -> Flags:
     """Return which marks (k, 3) the surface of a picture hides; nothing where one can look through it."""
     if not picture.settings.surface or picture.settings.style not in _OPAQUE_STYLES:
         return np.zeros(len(marks), dtype=bool)
-    return Occluder(picture.scene.patch, picture.camera, size).hidden(marks)
+    return occluder_of(picture, size).hidden(marks)
+
+
+def occluder_of(picture: Picture, size: Size) -> Occluder:
+    """Return what tells what the surface of a picture hides; while it is seen from there, the very same object."""
+    view, cache = (picture.camera, size), picture.scene.cache
+    known, found = cache.get(Occluder, (None, None))
+    if known != view:
+        found = Occluder(picture.scene, picture.camera, size)
+        cache[Occluder] = view, found
+    occluder: Occluder = found
+    return occluder
 
 
 def hidden_among(picture: Picture, marks: Sequence[Array], size: Size) -> list[Flags]:
@@ -101,21 +105,15 @@ def _sampled(count: int) -> npt.NDArray[np.intp]:
 
 
 class Occluder:
-    """A patch as seen by a camera, ready to be asked what it hides."""
+    """A surface as seen by a camera, ready to be asked what it hides."""
 
-    def __init__(self, patch: ParametricSurface, camera: Camera, size: Size) -> None:
-        mesh = surface_vertices(patch, (_CELLS + 1, _CELLS + 1))[..., :3].astype(np.float64)
+    def __init__(self, scene: Scene, camera: Camera, size: Size) -> None:
+        mesh, grid = scene.mesh(_CELLS)
         self._camera, self._size = camera, size
-        seen = _seen(mesh, camera, size)
-        # Kept as coordinates of columns, which NumPy compares far faster than rows of two or three.
-        a, b, c, d = (
-            seen[rows, columns].reshape(_BLOCKS, _BLOCK, _BLOCKS, _BLOCK, 3).transpose(4, 0, 2, 1, 3)
-            for rows, columns in _CORNERS
-        )
-        cells = (3, _BLOCKS * _BLOCKS, _BLOCK * _BLOCK)
-        self._corners = [corner.reshape(cells) for corner in (a, b, c, d)]
-        self._cell_low = np.minimum(np.minimum(a, b), np.minimum(c, d)).reshape(cells)
-        self._cell_high = np.maximum(np.maximum(a, b), np.maximum(c, d)).reshape(cells)
+        a, b, c, d = (_in_blocks(corner) for corner in cell_corners(_seen(mesh, camera, size), grid))
+        self._corners = [a, b, c, d]
+        self._cell_low = np.minimum(np.minimum(a, b), np.minimum(c, d))
+        self._cell_high = np.maximum(np.maximum(a, b), np.maximum(c, d))
         self._low, self._high = self._cell_low.min(axis=2), self._cell_high.max(axis=2)
 
     def hidden(self, points: Array) -> Flags:
@@ -138,6 +136,22 @@ class Occluder:
         for triangle in ((a, b, c), (a, c, d)):
             result[mark[_covers(*triangle, at)]] = True
         return result
+
+
+def _in_blocks(corners: Array) -> Array:
+    """Return one corner of every cell, (n, m, 3), by coordinate and block, (3, blocks, cells of a block).
+
+    There are about as many blocks as cells in one: the two levels then cost about the same. Coordinates are what NumPy
+    compares far faster than rows of two or three. Where the last blocks are not full, the last cells are in them more
+    than once.
+    """
+    sides = [round(math.sqrt(count)) for count in corners.shape[:2]]
+    n, m = (-(-count // side) for count, side in zip(corners.shape, sides, strict=False))
+    missing = [(0, -count % side) for count, side in zip(corners.shape, sides, strict=False)]
+    if any(map(any, missing)):
+        corners = np.pad(corners, (*missing, (0, 0)), mode="edge")
+    blocks = corners.reshape(n, sides[0], m, sides[1], 3).transpose(4, 0, 2, 1, 3)
+    return blocks.reshape(3, n * m, math.prod(sides))
 
 
 def _within(at: Array, low: Array, high: Array) -> Flags:

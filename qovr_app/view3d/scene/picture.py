@@ -13,16 +13,17 @@ from qovr_app.state.tools import ToolSettings
 from qovr_app.style.theme import Theme, theme_of
 from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
+from qovr_app.view3d.scene.display_grid import display_grid, facet_grid, sample_grid
+from qovr_app.view3d.scene.grid import Grid, windows_of
 from qovr_app.view3d.scene.hand import Hand
 from qovr_app.view3d.scene.knot_handles import KnotHandle, handles_of
 from qovr_app.view3d.scene.measuring import Spot
-from qovr_app.view3d.scene.mesh import Counts, display_counts, facet_counts
 from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_app.view3d.scene.probing import Parameters
 from qovr_app.view3d.scene.scene import Scene
 from qovr_core.arrays import Array
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 
 _BAR_ROOM = 104.0
 _AXES_ROOM = 58.0
@@ -32,9 +33,6 @@ _TITLE_ROOM = 92.0
 _BARE_ROOM = 28.0
 _USUAL_SIDE, _LARGEST = 900.0, 1.6
 """A viewport whose shorter side has more logical pixels than this is drawn with larger letters, up to so much."""
-
-_BESIDE = 1e-9
-"""Part of an axis by which what lies on its end may miss it: rounding."""
 
 _NARROW = 340.0
 """A viewport narrower than this in logical pixels has no room for a colour bar beside the surface."""
@@ -55,6 +53,7 @@ class Picture:
     tools : what a hand does here
     hand : what is seen of it; None in figures
     curve : the knot that is turned to, whose curve has handles; None for none
+    window : the window of a net that is outlined; None for none
     """
 
     settings: DisplaySettings
@@ -73,6 +72,7 @@ class Picture:
     tools: ToolSettings = field(default_factory=ToolSettings)
     hand: Hand | None = None
     curve: KnotInHand | None = None
+    window: Window | None = None
 
     @property
     def theme(self) -> Theme:
@@ -102,14 +102,16 @@ class Picture:
     @property
     def leaves_frame(self) -> bool:
         """Whether something of the surface or its net lies outside the axes."""
-        (low, high), net = self.scene.frame.limits.T, self.scene.document.control_points.reshape(-1, 3)
-        slack, seen = _BESIDE * (high - low), np.concatenate([self.scene.surface_box.T, net])
-        return bool((seen < low - slack).any() or (seen > high + slack).any())
+        return self.scene.leaves_frame
 
     @property
-    def counts(self) -> Counts:
-        """Vertices of the display grid along u and v."""
-        return display_counts(self.scene.document.samples, self.settings.style, moving=self.moving)
+    def grid(self) -> Grid:
+        """The grid on which the surface is drawn."""
+        scene, style, moving = self.scene, self.settings.style, self.moving
+        if (style, moving) not in scene.cache:
+            scene.cache[style, moving] = display_grid(scene.patch, scene.document.samples, style, moving=moving)
+        found: Grid = scene.cache[style, moving]
+        return found
 
     @property
     def has_facets(self) -> bool:
@@ -117,14 +119,26 @@ class Picture:
         return self.settings.style is Style.FACETS and self.settings.shown_colours not in PATTERNS
 
     @property
-    def coloured_counts(self) -> Counts:
-        """The grid on which colours are given, along u and v."""
-        return facet_counts(self.scene.document.samples) if self.has_facets else self.counts
+    def facets(self) -> Grid:
+        """The grid of the facets, where there are some."""
+        return facet_grid(self.scene.patch, self.scene.document.samples)
+
+    @property
+    def lined_grid(self) -> Grid:
+        """The grid among whose cells parameter lines are counted: the samples', or in a net the facets'."""
+        if self.has_facets and windows_of(self.scene.patch) != (1, 1):
+            return self.facets
+        return sample_grid(self.scene.patch, self.scene.document.samples)
+
+    @property
+    def coloured_grid(self) -> Grid:
+        """The grid on which colours are given."""
+        return self.facets if self.has_facets else self.grid
 
     @property
     def colouring(self) -> Colouring:
         """What the colours say."""
-        return colouring_of(self.scene, self.settings, self.coloured_counts, moving=self.moving)
+        return colouring_of(self.scene, self.settings, self.coloured_grid, moving=self.moving)
 
 
 def emphasis(size: Size) -> float:

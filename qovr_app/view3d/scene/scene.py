@@ -9,22 +9,26 @@ from typing import Any
 import numpy as np
 
 from qovr_app.state.display import Scaling
+from qovr_app.view3d.scene.curve_lines import curve_points
 from qovr_app.view3d.scene.frame import FARTHEST, Frame, frame_around
+from qovr_app.view3d.scene.grid import Grid, parameters, shared_grid, spread
 from qovr_app.view3d.scene.held_ranges import HeldRanges
-from qovr_app.view3d.scene.mesh import Counts, curve_points, spread, surface_vertices
+from qovr_app.view3d.scene.mesh import FloatArray, surface_vertices
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
-from qovr_core.evaluation import parameters
 from qovr_core.fields import Field, Need, field_values
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.layer import Layer
 
-CURVE_POINTS = 49
-"""Points a curve C_i or K_j is drawn with: no corner shows at any size that fits a screen."""
+CURVE_PIECES = 48
+"""Pieces with which a curve C_i or K_j is drawn, at least: no corner shows at any size that fits a screen."""
 
 
-_COARSE = (9, 9)
-"""Vertices that tell which side of a surface is the upper one."""
+_BESIDE = 1e-9
+"""Part of an axis by which what lies on its end may miss it: rounding."""
+
+_COARSE = (8, 8)
+"""Cells whose vertices tell which side of a surface is the upper one."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,14 +106,20 @@ class Scene:
             return self.companions.reference
         return self.knot_slope if need is Need.KNOT else None
 
-    def values(self, field: Field, counts: Counts, *, moving: bool) -> Array:
+    def values(self, field: Field, grid: Grid, *, moving: bool) -> Array:
         """Return the values of a field on a grid, (n, m) float64 in the document's units; computed once."""
-        finest = counts if field.finest is None else (field.finest[not moving],) * 2
-        few = min(counts[0], finest[0]), min(counts[1], finest[1])
+        few = grid if field.finest is None else grid.within((field.finest[not moving] - 1,) * 2)
         if (field, few) not in self.cache:
-            u, v = (parameters(count) for count in few)
+            u, v = parameters(self.surface, few)
             self.cache[field, few] = field_values(field, self.surface, u, v, self.beside(field.needs))
-        return spread(self.cache[field, few], counts)
+        return spread(self.cache[field, few], few, grid)
+
+    @cached_property
+    def leaves_frame(self) -> bool:
+        """Whether something of the surface or its net lies outside the axes."""
+        (low, high), net = self.frame.limits.T, self.document.control_points.reshape(-1, 3)
+        slack, seen = _BESIDE * (high - low), np.concatenate([self.surface_box.T, net])
+        return bool((seen < low - slack).any() or (seen > high + slack).any())
 
     @property
     def caption(self) -> str:
@@ -128,10 +138,32 @@ class Scene:
         """The control points in the unit space, (k, l, 3): k rows of l."""
         return read_only(self.frame.to_unit(self.document.control_points))
 
+    def mesh(self, cells: int) -> tuple[Array, Grid]:
+        """Return places on the surface in the unit space, (n, m, 3), and their grid, of so many cells a side at least;
+        the same from wherever it is seen, and computed once."""
+        grid = shared_grid(self.patch, (cells, cells))
+        if ("mesh", grid) not in self.cache:
+            self.cache["mesh", grid] = read_only(self._vertices(grid)[..., :3].astype(np.float64))
+        return self.cache["mesh", grid], grid
+
+    def _vertices(self, grid: Grid) -> FloatArray:
+        """Return ``surface_vertices``: in a net of many windows several ask for those of one grid."""
+        if ("vertices", grid) not in self.cache:
+            self.cache["vertices", grid] = surface_vertices(self.patch, grid)
+        found: FloatArray = self.cache["vertices", grid]
+        return found
+
+    @cached_property
+    def window_corners(self) -> Array:
+        """The corners of all windows in the unit space, (n + 1, m + 1, 3): those of the windows that end there."""
+        places, _ = self.mesh(1)
+        u, v = (np.append(np.arange(0, count, 2), count - 1) for count in places.shape[:2])
+        return read_only(places[np.ix_(u, v)])
+
     @cached_property
     def is_turned(self) -> bool:
         """Whether the surface's normals S_u x S_v point down on the whole, as those of a net that runs backward do."""
-        return bool(surface_vertices(self.patch, _COARSE)[..., 5].sum() < 0)
+        return bool(self._vertices(shared_grid(self.patch, _COARSE))[..., 5].sum() < 0)
 
     @cached_property
     def network(self) -> CurveNetwork:
@@ -140,13 +172,13 @@ class Scene:
 
     @cached_property
     def row_curves(self) -> Array:
-        """The curves C_i(u) in the unit space, (rows, ``CURVE_POINTS``, 3)."""
-        return read_only(self.frame.to_unit(curve_points(self.network.rows[:, 0], CURVE_POINTS)))
+        """The curves C_i(u) in the unit space, (rows, points, 3): equally many points in every window."""
+        return read_only(self.frame.to_unit(curve_points(self.network.rows, CURVE_PIECES)))
 
     @cached_property
     def column_curves(self) -> Array:
-        """The curves K_j(v) in the unit space, (columns, ``CURVE_POINTS``, 3)."""
-        return read_only(self.frame.to_unit(curve_points(self.network.columns[:, 0], CURVE_POINTS)))
+        """The curves K_j(v) in the unit space, (columns, points, 3), likewise."""
+        return read_only(self.frame.to_unit(curve_points(self.network.columns, CURVE_PIECES)))
 
 
 def mapped_box(box: Array, matrix: Array) -> Array:

@@ -11,12 +11,12 @@ from qovr_app.state.tools import ToolSettings
 from qovr_app.view3d.scene.comparison import ComparisonView
 from qovr_app.view3d.scene.scene import Companions
 from qovr_core import Document, Evaluation, ParametricSurface
-from qovr_core.document import NetIndex
+from qovr_core.document import NetIndex, Window
 from qovr_core.fields import FIELDS
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import KnotPlace
 
-_MARKS = ("selected", "last_selected", "pending", "refused", "put_away", "curve")
+_MARKS = ("selected", "last_selected", "pending", "refused", "put_away", "curve", "window")
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,6 +37,7 @@ class Shown:
     reference_name : what to call it
     knot : the knot to which the sensitivity is shown; None without one
     curve : the knot that is turned to, whose curve has handles; None for none
+    window : the window of the net through which the zones look, which is outlined; None for none
     comparison : another surface of the same control net beside the document's, or over it; None for none
     opening : which of the documents that were opened this is: another one gets limits of its own
     dragging : a control point is being dragged, so that the limits of the axes stay whatever is chosen
@@ -55,6 +56,7 @@ class Shown:
     reference_name: str = ""
     knot: KnotPlace | None = None
     curve: KnotInHand | None = None
+    window: Window | None = None
     comparison: ComparisonView | None = None
     opening: int = 0
     dragging: bool = False

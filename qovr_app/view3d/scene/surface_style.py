@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from qovr_app.state.display import UNCOLOURED, DisplaySettings, Style
-from qovr_app.view3d.scene.mesh import Counts
+from qovr_app.view3d.scene.grid import Counts
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_core.fields import FIELDS
 
@@ -55,10 +55,10 @@ def _is_read(settings: DisplaySettings) -> bool:
     return settings.shown_colours != UNCOLOURED and (field is None or field.axis is None)
 
 
-def line_periods(samples: Counts) -> tuple[tuple[float, float], tuple[float, float]]:
-    """Return after how many samples along u and v a fine and a coarse parameter line comes."""
-    n, m = samples
-    fine, coarse = ((float(_period(n - 1, most)), float(_period(m - 1, most))) for most in (_FINE_LINES, _COARSE_LINES))
+def line_periods(cells: Counts) -> tuple[tuple[float, float], tuple[float, float]]:
+    """Return after how many of these cells along u and v a fine and a coarse parameter line comes."""
+    n, m = cells
+    fine, coarse = ((float(_period(n, most)), float(_period(m, most))) for most in (_FINE_LINES, _COARSE_LINES))
     return fine, coarse
 
 

@@ -41,6 +41,7 @@ SHOWN = {
     "control_net": "Control &net",
     "row_curves": "&Row curves Cᵢ(u)",
     "column_curves": "C&olumn curves Kⱼ(v)",
+    "joints": "&Joints and window in focus",
     "combs_u": "Curvature co&mbs along u",
     "combs_v": "Curvature combs along &v",
     "knot_handles": "&Knot handles",

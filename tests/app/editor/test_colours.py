@@ -8,6 +8,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QDialogButtonBox, QLabel, QLineEdit, QMenu, QToolBar, QToolButton
 
 from qovr_app.state.display import ColourRange
+from qovr_app.view3d.scene.grid import Grid
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_core.edits import Direction, KnotPlace
 from qovr_core.fields import FIELDS, Field
@@ -50,7 +51,7 @@ def test_a_field_from_outside_is_in_menu_bar_colours_and_dialog_by_its_record(ma
         editor.trigger("colour_by_steepness")
         scene, shown = editor.window.view.picture().scene, colouring(editor)
         assert shown.title == "Part upward n_z"
-        values = shown.values((9, 7))
+        values = shown.values(Grid((8,), (6,)))
         grid = np.linspace(0, 1, 9), np.linspace(0, 1, 7)
         assert values == pytest.approx(np.abs(scene.surface.normals(*grid)[..., 2]), abs=1e-12)
         titles = []

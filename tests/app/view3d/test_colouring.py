@@ -11,7 +11,7 @@ from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.style.theme import theme_of
 from qovr_app.view3d.scene import scene as scenes
 from qovr_app.view3d.scene.colouring import SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
-from qovr_app.view3d.scene.mesh import spread
+from qovr_app.view3d.scene.grid import spread
 from qovr_app.view3d.scene.patterns import isophote_parts, zebra_is_light
 from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import Document, Evaluation
@@ -19,8 +19,9 @@ from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.fields import FIELDS, Field, field_values
 from qovr_core.layer import Layer
 from qovr_core.presets import preset
+from support.view import grid
 
-COUNTS = (21, 17)
+GRID = grid(21, 17)
 FIG8 = set_formulation(preset("fig8").document, "interpolating")
 MIDDLE = (247, 246, 246)
 """Of the diverging map: nearly white."""
@@ -32,7 +33,7 @@ def scene_of(document, layer=Layer.RAW, scaling=Scaling.EACH, **companions):
 
 
 def colouring(scene, by, *, moving=False, **settings):
-    return colouring_of(scene, DisplaySettings(colour_by=by, **settings), COUNTS, moving=moving)
+    return colouring_of(scene, DisplaySettings(colour_by=by, **settings), GRID, moving=moving)
 
 
 def net_of(height):
@@ -46,12 +47,12 @@ def test_values_are_those_of_the_surface_in_the_documents_units(layer, scaling):
     """Not of the stretched surface in the unit space: the axes' scaling changes nothing."""
     scene, result = scene_of(FIG8, layer, scaling), Evaluation(FIG8)
     surface = result.patch if layer is Layer.RAW else result.transformed_patch
-    u, v = (np.linspace(0, 1, count) for count in COUNTS)
+    u, v = (np.linspace(0, 1, count) for count in GRID.shape)
     for field in (Field.HEIGHT, Field.GAUSSIAN, Field.MEAN, Field.LARGEST, Field.SMALLEST):
         expected = field_values(field, surface, u, v)
-        assert scene.values(field, COUNTS, moving=False) == pytest.approx(expected, rel=1e-12)
+        assert scene.values(field, GRID, moving=False) == pytest.approx(expected, rel=1e-12)
         shown, (low, high) = colouring(scene, field.name), colouring(scene, field.name).limits
-        assert shown.parts(COUNTS) == pytest.approx((expected - low) / (high - low), abs=1e-6)
+        assert shown.parts(GRID) == pytest.approx((expected - low) / (high - low), abs=1e-6)
 
 
 def test_heights_end_at_the_samples_of_the_document():
@@ -84,10 +85,10 @@ def test_a_level_surface_has_one_colour_and_a_plane_no_curvature():
     scene = scene_of(net_of(lambda x, y: 0.1 + 0.2))
     shown = colouring(scene, "height")
     assert shown.limits[0] == shown.limits[1] == pytest.approx(0.3)
-    assert (shown.parts(COUNTS) == 0.5).all()
+    assert (shown.parts(GRID) == 0.5).all()
     bent = colouring(scene_of(net_of(lambda x, y: 0.3 * x - 0.1 * y)), "gaussian")
     assert bent.limits == (0, 0)
-    assert (bent.parts(COUNTS) == 0.5).all()
+    assert (bent.parts(GRID) == 0.5).all()
 
 
 def test_without_a_companion_the_picture_says_what_to_do():
@@ -96,8 +97,8 @@ def test_without_a_companion_the_picture_says_what_to_do():
         shown = colouring(scene, by)
         assert shown.note == note
         assert math.isnan(shown.limits[0])
-        assert (shown.parts(COUNTS) == np.float32(UNDEFINED)).all()
-        assert (shown.colours(shown.parts(COUNTS), (1, 2, 3)) == [1, 2, 3]).all()
+        assert (shown.parts(GRID) == np.float32(UNDEFINED)).all()
+        assert (shown.colours(shown.parts(GRID), (1, 2, 3)) == [1, 2, 3]).all()
 
 
 def test_a_surface_without_curvature_says_so():
@@ -138,7 +139,7 @@ def test_nothing_is_computed_twice(monkeypatch):
     scene = scene_of(FIG8)
     first = colouring(scene, "gaussian")
     assert colouring(scene, "gaussian") is first
-    colouring(scene, "gaussian", colour_range=ColourRange.ROBUST).parts(COUNTS)
+    colouring(scene, "gaussian", colour_range=ColourRange.ROBUST).parts(GRID)
     assert calls == [Field.GAUSSIAN]
 
 
@@ -153,7 +154,7 @@ def test_in_motion_costly_fields_are_taken_from_fewer_points(monkeypatch):
     scene = scene_of(FIG8, reference=Evaluation(preset("fig8").document).patch)
     for moving in (True, False):
         for by in ("height", "mean", "distance"):
-            values = scene.values(FIELDS[by], (201, 201), moving=moving)
+            values = scene.values(FIELDS[by], grid(201, 201), moving=moving)
             assert values.shape == (201, 201)
     assert sizes == [(201, 201), (49, 49), (25, 25), (201, 201), (101, 101)]  # the heights of rest are those of motion
 
@@ -161,10 +162,10 @@ def test_in_motion_costly_fields_are_taken_from_fewer_points(monkeypatch):
 def test_spreading_is_linear_and_keeps_what_is_undefined_to_itself():
     values = np.add.outer(3 * np.linspace(0, 1, 5), np.linspace(0, 2, 4))
     fine = np.add.outer(3 * np.linspace(0, 1, 33), np.linspace(0, 2, 10))
-    assert spread(values, (33, 10)) == pytest.approx(fine)
-    assert spread(values, (5, 4)) is values
+    assert spread(values, grid(*values.shape), grid(33, 10)) == pytest.approx(fine)
+    assert spread(values, grid(5, 4), grid(5, 4)) is values
     values[0] = np.nan
-    undefined = np.isnan(spread(values, (33, 10)))
+    undefined = np.isnan(spread(values, grid(*values.shape), grid(33, 10)))
     assert undefined[:8].all()
     assert not undefined[9:].any()
 

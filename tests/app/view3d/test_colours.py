@@ -12,7 +12,7 @@ from qovr_app.view3d.scene.patterns import DARK_STRIPE, LIGHT_STRIPE, colour_sou
 from qovr_core import Document, Evaluation
 from qovr_core.edits import Direction, KnotPlace, set_point
 from qovr_core.fields import FIELDS, Field, field_values
-from support.view import change, choose
+from support.view import change, choose, grid
 
 BARE = {
     "control_points": False,
@@ -119,8 +119,8 @@ def test_what_is_undefined_is_grey(make_view, renderer, expected_pixel, colour_a
     fan = np.stack([x - 1, (x - 1) * (y - 2), 0.1 * (x - 1) ** 2 * y], axis=-1)
     view = from_above(make_view, Document(fan, formulation="interpolating", samples=(31, 31)), colour_by="mean")
     grey = view.picture().theme.undefined
-    assert np.isnan(view.picture().scene.values(Field.MEAN, (31, 31), moving=False)[0]).all()
-    assert np.isfinite(view.picture().scene.values(Field.MEAN, (31, 31), moving=False)[1:]).all()
+    assert np.isnan(view.picture().scene.values(Field.MEAN, grid(31, 31), moving=False)[0]).all()
+    assert np.isfinite(view.picture().scene.values(Field.MEAN, grid(31, 31), moving=False)[1:]).all()
     image = view.image()
     assert np.ptp(seen(view, image, expected_pixel, colour_at, 0.9, 0.2)) > 5
     choose(view, colour_by="distance")

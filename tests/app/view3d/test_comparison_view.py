@@ -17,7 +17,7 @@ from qovr_core.geometry.closest import closest_points
 from qovr_core.geometry.knots import Direction, KnotPlace
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES, ComparisonSurface
 from qovr_core.laboratory.splines import b_spline, bezier
-from support.view import change, choose
+from support.view import change, choose, grid
 
 
 def compared(placement):
@@ -70,7 +70,7 @@ def test_a_colour_means_the_same_in_both(make_view, document, by):
     change(view, comparison=compared(Placement.BESIDE))
     pictures = [view.picture(k) for k in (0, 1)]
     assert pictures[0].colouring.limits == pictures[1].colouring.limits
-    values = np.concatenate([each.colouring.values(each.counts).ravel() for each in pictures])
+    values = np.concatenate([each.colouring.values(each.grid).ravel() for each in pictures])
     reach = np.abs(values).max()
     expected = (-reach, reach) if by == "mean" else (values.min(), values.max())
     assert pictures[0].colouring.limits == pytest.approx(expected, abs=1e-3)
@@ -85,7 +85,7 @@ def test_distances_are_those_of_each_from_the_other(make_view, document):
     t = np.linspace(0, 1, 5)
     for one, two in ((own.scene, other.scene), (other.scene, own.scene)):
         expected = closest_points(two.surface, one.surface.points(t, t).reshape(-1, 3)).distance
-        np.testing.assert_allclose(one.values(Field.DISTANCE, (5, 5), moving=False).ravel(), expected, atol=1e-12)
+        np.testing.assert_allclose(one.values(Field.DISTANCE, grid(5, 5), moving=False).ravel(), expected, atol=1e-12)
 
 
 def test_it_has_no_knots_to_be_sensitive_to(make_view, document):

@@ -115,7 +115,7 @@ def test_a_rectangle_selects_what_is_in_it(owner, pixel):
     move(viewport, right, CONTROL)
     release(viewport, right, CONTROL)
     size, picture = viewport.logical_size, owner.view.picture()
-    hidden = Occluder(picture.scene.patch, picture.camera, size).hidden(picture.scene.points.reshape(-1, 3))
+    hidden = Occluder(picture.scene, picture.camera, size).hidden(picture.scene.points.reshape(-1, 3))
     assert owner.view.shown.selected == {index for index in inside if not hidden[5 * index[0] + index[1]]}
     assert owner.view.shown.selected
     change(owner.view, tools=ToolSettings(selects=True, xray=True))

@@ -123,7 +123,7 @@ def test_most_points_are_known_to_be_hidden_without_being_looked_up(view):
     waves = np.sin(np.linspace(0, 9, SHAPE[0]))[:, None] * np.cos(np.linspace(0, 7, SHAPE[1]))
     points = picture.scene.points + 0.2 * waves[..., None] * [0, 0, 1]
     (quick,) = hidden_among(picture, [points], size)
-    every = Occluder(picture.scene.patch, picture.camera, size).hidden(points.reshape(-1, 3)).reshape(SHAPE)
+    every = Occluder(picture.scene, picture.camera, size).hidden(points.reshape(-1, 3)).reshape(SHAPE)
     assert 0.2 < every.mean() < 0.8
     assert (quick != every).mean() < 0.002
 

@@ -21,6 +21,7 @@ from qovr_core.fields import Field
 from qovr_core.laboratory.sensitivity import knot_sensitivity
 from qovr_core.layer import Layer
 from qovr_core.presets import preset
+from support.view import grid
 
 SIZE = (800.0, 600.0)
 FIG8 = set_formulation(preset("fig8").document, "interpolating")
@@ -35,7 +36,7 @@ def scene_of(document, layer=Layer.RAW, companions=None):
 
 def first_hit(scene, camera, x, y):
     """Return how far from the eye's plane a line of sight first meets a fine mesh (Moeller, Trumbore); else inf."""
-    mesh = surface_vertices(scene.patch, (121, 121))[..., :3].astype(float)
+    mesh = surface_vertices(scene.patch, grid(121, 121))[..., :3].astype(float)
     a, b, c, d = mesh[:-1, :-1], mesh[1:, :-1], mesh[1:, 1:], mesh[:-1, 1:]
     corner, side_1, side_2 = (
         np.concatenate(parts).reshape(-1, 3)

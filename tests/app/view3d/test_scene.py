@@ -12,14 +12,10 @@ from qovr_app.style.colour_maps import colour_table, colours_of
 from qovr_app.style.ticks import round_limits, tick_positions
 from qovr_app.view3d.scene.axes import axes_box
 from qovr_app.view3d.scene.camera import Camera
+from qovr_app.view3d.scene.curve_lines import curve_points
+from qovr_app.view3d.scene.display_grid import display_grid, facet_grid
 from qovr_app.view3d.scene.frame import frame_around
-from qovr_app.view3d.scene.mesh import (
-    curve_points,
-    display_counts,
-    facet_counts,
-    surface_vertices,
-    triangle_indices,
-)
+from qovr_app.view3d.scene.mesh import surface_vertices, triangle_indices
 from qovr_app.view3d.scene.occlusion import Occluder
 from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Document, Evaluation, Patch, configure
@@ -28,6 +24,7 @@ from qovr_core.edits import set_formulation, set_points
 from qovr_core.layer import Layer
 from qovr_core.number_texts import tick_texts
 from qovr_core.presets import preset
+from support.view import grid
 
 
 def scene_of(document, layer=Layer.TRANSFORMED, scaling=Scaling.EACH):
@@ -82,7 +79,7 @@ def test_equal_scales_are_equal():
 def test_vertices_are_the_patch_and_its_normals(layer):
     scene = scene_of(preset("fig6c").document, layer)
     u, v = np.linspace(0, 1, 7), np.linspace(0, 1, 5)
-    vertices = surface_vertices(scene.patch, (7, 5))
+    vertices = surface_vertices(scene.patch, grid(7, 5))
     np.testing.assert_allclose(vertices[..., :3], scene.patch.points(u, v), atol=1e-6)
     normals = vertices[..., 3:] / np.linalg.norm(vertices[..., 3:], axis=-1, keepdims=True)
     np.testing.assert_allclose(normals, scene.patch.normals(u, v), atol=1e-5)
@@ -93,7 +90,7 @@ def test_normals_belong_to_the_scaled_surface():
     """A plane that rises by 0.1 over 4 units stands steep once every axis fills its box."""
     x, y = np.meshgrid(np.arange(5.0), np.arange(5.0))
     scene = scene_of(Document(np.stack([x, y, 0.025 * x], axis=-1), formulation="interpolating"), Layer.RAW)
-    normal = surface_vertices(scene.patch, (3, 3))[1, 1, 3:]
+    normal = surface_vertices(scene.patch, grid(3, 3))[1, 1, 3:]
     scaled = np.array([-0.025, 0, 1]) / scene.frame.scale
     np.testing.assert_allclose(normal / np.linalg.norm(normal), scaled / np.linalg.norm(scaled), atol=1e-6)
 
@@ -104,7 +101,7 @@ def test_an_edge_drawn_into_a_point_has_finite_normals():
     patch = Patch(coefficients)
     assert np.ptp(patch.points([0.0], [0.0, 0.5, 1.0]), axis=1).max() < 1e-12  # it is a point
     assert np.abs(patch.derivative([0.0], [0.0, 0.5, 1.0], 0, 1)).max() < 1e-12  # where S_u x S_v vanishes
-    vertices = surface_vertices(patch, (11, 11))
+    vertices = surface_vertices(patch, grid(11, 11))
     lengths = np.linalg.norm(vertices[..., 3:], axis=-1)
     assert np.isfinite(vertices).all()
     assert lengths.min() > 0
@@ -113,13 +110,13 @@ def test_an_edge_drawn_into_a_point_has_finite_normals():
 def test_far_from_the_origin_nothing_is_lost():
     document = set_formulation(preset("fig5").document, "interpolating")
     away = set_points(document, document.control_points + np.array([1e9, -1e9, 0]))
-    near, far = (surface_vertices(scene_of(each, Layer.RAW).patch, (9, 9)) for each in (document, away))
+    near, far = (surface_vertices(scene_of(each, Layer.RAW).patch, grid(9, 9)) for each in (document, away))
     np.testing.assert_allclose(far[..., :3], near[..., :3], atol=1e-5)
 
 
 def test_triangles_cover_the_grid_in_one_direction():
     n, m = 4, 6
-    triangles = triangle_indices((n, m)).reshape(-1, 3).astype(int)
+    triangles = triangle_indices(grid(n, m)).reshape(-1, 3).astype(int)
     at = np.stack([triangles // m, triangles % m], axis=-1)
     a, b, c = at[:, 0], at[:, 1], at[:, 2]
     areas = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
@@ -128,17 +125,17 @@ def test_triangles_cover_the_grid_in_one_direction():
 
 
 def test_the_display_grid_does_not_follow_large_documents():
-    large = (1001, 1001)
+    patch, large = scene_of(preset("fig5").document).patch, (1001, 1001)
     for style in Style:
-        assert max(display_counts(large, style, moving=True)) <= 101
-        assert display_counts(large, style, moving=False) == (201, 201)
-    assert display_counts((7, 30), Style.FACETS, moving=True) == (7, 30)
-    assert facet_counts((1001, 30)) == (201, 30)
+        assert max(display_grid(patch, large, style, moving=True).shape) <= 101
+        assert display_grid(patch, large, style, moving=False) == grid(201, 201)
+    assert display_grid(patch, (7, 30), Style.FACETS, moving=True) == grid(7, 30)
+    assert facet_grid(patch, (1001, 30)) == grid(201, 30)
 
 
 def test_curves_end_on_the_inner_points():
     document = preset("fig8").document
-    points = curve_points(scene_of(document).network.rows[:, 0], 3)
+    points = curve_points(scene_of(document).network.rows, 2)
     np.testing.assert_allclose(points[:, 0], document.control_points[:, 1], atol=1e-9)
     np.testing.assert_allclose(points[:, -1], document.control_points[:, 3], atol=1e-9)
 
@@ -150,7 +147,7 @@ def test_what_lies_below_a_roof_is_hidden():
     above = np.array([0, 0, 0.1])
     on_surface = scene.patch.points(u, u).reshape(-1, 3)
     for camera in (Camera(*NAMED_VIEWS["top"]), Camera(-90, 89, perspective=True)):
-        occluder = Occluder(scene.patch, camera, size)
+        occluder = Occluder(scene, camera, size)
         assert not occluder.hidden(on_surface).any()
         assert not occluder.hidden(on_surface + above).any()
         assert occluder.hidden(on_surface - above).all()

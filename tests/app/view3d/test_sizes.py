@@ -30,7 +30,7 @@ from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Document, Evaluation
 from qovr_core.geometry.knots import Knots
 from qovr_core.layer import Layer
-from support.view import change, choose
+from support.view import change, choose, grid
 
 SIZE = (700.0, 560.0)
 ROWS, COLUMNS = np.mgrid[0:5, 0:5].astype(float)
@@ -75,7 +75,7 @@ def test_every_size_is_painted_without_a_warning(app, name, formulation):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for picture in pictures_of(document):
-            assert np.isfinite(surface_vertices(picture.scene.patch, (21, 21))).all()
+            assert np.isfinite(surface_vertices(picture.scene.patch, grid(21, 21))).all()
             painted(picture)
             axes_box(picture.scene.frame, picture.camera, SIZE)
 
@@ -110,7 +110,7 @@ def test_a_surface_that_leaves_the_picture_between_its_samples_is_drawn_and_said
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         for picture in pictures_of(document):
-            vertices = surface_vertices(picture.scene.patch, (49, 49))
+            vertices = surface_vertices(picture.scene.patch, grid(49, 49))
             assert np.abs(vertices[..., :3]).max() <= FARTHEST
             assert picture.colouring.note == (FAR_NOTE if picture.scene.leaves_sight else "")
             notes.append(picture.colouring.note)

@@ -146,8 +146,8 @@ def test_limits_are_taken_anew_for_something_else(make_view, document, change_of
 def test_the_grid_is_coarse_in_motion_and_fine_at_rest(make_view, document, spin):
     owner = make_view(set_samples(document, (1001, 1001)))
     owner.show(set_point(owner.document, 2, 2, (2.0, 2.0, 0.3)))
-    assert max(owner.view.picture().counts) <= 101
-    spin(lambda: owner.view.picture().counts == (201, 201))
+    assert max(owner.view.picture().grid.cells) <= 100
+    spin(lambda: owner.view.picture().grid.cells == (200, 200))
 
 
 def test_the_selection_can_be_set_and_cleared(make_view, document):
