@@ -152,6 +152,35 @@ def vertices_with_normals(path):
     return np.asarray(mesh.points), np.stack([mesh.point_data[f"n{axis}"] for axis in "xyz"], axis=-1)
 
 
+@pytest.mark.parametrize(
+    ("name", "normals"),
+    [
+        ("tube", 40 * 31),
+        ("tube with a sharp seam", 41 * 31),
+        ("torus", 40 * 30),
+        ("torus of parts", 41 * 32),
+    ],
+)
+def test_seams_have_two_normals_where_they_are_sharp(name, normals, tmp_path):
+    document = net_of(name, samples=(41, 31))
+    assert len(vertices_with_normals(written(document, tmp_path / "a.ply"))[1]) == normals
+
+
+def test_where_windows_meet_in_a_point_normals_are_limits_within_each(tmp_path):
+    """The joint between two rows of windows is one point, as the waist of an hourglass."""
+    document = random_net(3, 2, 2, sharp_v={0}, samples=(13, 11))
+    net = document.control_points.copy()
+    net[3] = waist = [3.0, 3.0, 1.0]
+    document = replace(document, control_points=net)
+    points, normals = vertices_with_normals(written(document, tmp_path / "a.ply"))
+    found = normals[np.abs(points - waist).max(axis=-1) <= 1e-9]
+    alone = [Evaluation(extract_window(document, window)).patch for window in np.ndindex(2, 2)]
+    ends = (patch.normals(np.linspace(0, 1, 7), [1 - a]) for patch, (a, _) in zip(alone, np.ndindex(2, 2), strict=True))
+    exact = np.concatenate([each[:, 0] for each in ends])
+    assert len(found) >= 20
+    assert np.abs(found[:, None] - exact).max(axis=-1).min(axis=1).max() <= 1e-6
+
+
 def test_a_smooth_net_has_one_normal_a_point(tmp_path):
     document = random_net(6, 4, 5, samples=(61, 41))
     assert len(vertices_with_normals(written(document, tmp_path / "a.ply"))[1]) == 61 * 41
