@@ -8,9 +8,10 @@ from dataclasses import replace
 from qovr_app.state import intents
 from qovr_app.state.display import LayerChoice
 from qovr_app.state.editor_state import DocumentFile, EditorState, Gesture, Selection, with_message
-from qovr_app.state.focus import check_places, fitted, places_in, with_focus
+from qovr_app.state.focus import check_places, fitted, places_in, renumbered, with_focus
 from qovr_app.state.history import History
 from qovr_app.state.names import ZONE_TITLES, edit_text
+from qovr_app.state.renumbering import Renumbering
 from qovr_core import Document, Evaluation, EvaluationError, edits
 from qovr_core.edits import Place, value_at
 from qovr_core.formulations import FORMULATIONS
@@ -99,20 +100,8 @@ def gesture_cancelled(state: EditorState, intent: intents.GestureCancelled) -> E
     history = state.history.without(gesture.number, gesture.history)
     if history is state.history:
         return replace(state, gesture=None)
-    back = _arrived(state, history)
+    back = arrived(state, history)
     return replace(back, draft=back.document if back.is_live else gesture.draft, gesture=None)
-
-
-def undone(state: EditorState, _intent: intents.Undone) -> EditorState:
-    return _arrived(state, state.history.undone())
-
-
-def redone(state: EditorState, _intent: intents.Redone) -> EditorState:
-    return _arrived(state, state.history.redone())
-
-
-def went_to(state: EditorState, intent: intents.WentTo) -> EditorState:
-    return _arrived(state, state.history.gone_to(intent.index))
 
 
 def live_switched(state: EditorState, intent: intents.LiveSwitched) -> EditorState:
@@ -138,14 +127,14 @@ def opened(state: EditorState, intent: intents.Opened) -> EditorState:
     draft = intent.document if intent.draft is None else intent.draft
     # What was typed and not set can only wait where edits wait.
     state = replace(state, is_live=state.is_live and draft == intent.document)
-    return _surface_shown(replace(_arrived(state, history), draft=draft))
+    return _surface_shown(replace(arrived(state, history), draft=draft))
 
 
 def reloaded(state: EditorState, intent: intents.Reloaded) -> EditorState:
     file = replace(state.file, stamp=intent.stamp, found=intent.stamp)
     state = with_message(replace(state, file=file, gesture=None), f"Reloaded {file.title}")
     history = state.history.pushed(f"Reload {file.title}", intent.document, None)
-    return _surface_shown(_arrived(state, history.marked_saved(history.serial)))
+    return _surface_shown(arrived(state, history.marked_saved(history.serial)))
 
 
 def file_found(state: EditorState, intent: intents.FileFound) -> EditorState:
@@ -177,18 +166,28 @@ def edited(state: EditorState, text: str, edit: Edit, intent: intents.Intent, ge
 
 
 def with_document(
-    state: EditorState, text: str, document: Document, intent: intents.Intent, gesture: int = 0
+    state: EditorState,
+    text: str,
+    document: Document,
+    intent: intents.Intent,
+    gesture: int = 0,
+    *,
+    renumbering: Renumbering | None = None,
 ) -> EditorState:
-    """Return the state whose document is another one, as one named step; refused where it has no surface."""
+    """Return the state whose document is another one, as one named step; refused where it has no surface.
+
+    Where rows and columns have other numbers afterwards, what is selected and in focus follows.
+    """
     if document == state.document:
         return state
     evaluation = Evaluation(document, state.evaluation)
     if state.is_live:
         state = _with_evaluation(state, evaluation)
-    return _arrived(state, state.history.pushed(text, document, intent, gesture))
+    history = state.history.pushed(text, document, intent, gesture, renumbering=renumbering)
+    return arrived(state if renumbering is None else renumbered(state, renumbering), history)
 
 
-def _arrived(state: EditorState, history: History) -> EditorState:
+def arrived(state: EditorState, history: History) -> EditorState:
     """Return the state after the history has moved: draft and texts follow, and the surface where edits are live."""
     before, after = state.document, history.document
     draft = after if state.is_live else edits.rebase(state.draft, before, after)

@@ -8,6 +8,7 @@ from functools import lru_cache
 from typing import overload
 
 from qovr_app.state.editor_state import EditorState, Focus, Selection
+from qovr_app.state.renumbering import Renumbering
 from qovr_core import Document, DocumentError
 from qovr_core.document import NetIndex, Window
 from qovr_core.edits import CoordinatePlace, Place, Zone, check_points, extract_window, knots_of
@@ -162,6 +163,23 @@ def with_focus(state: EditorState, window: Window) -> EditorState:
     fields = {zone: in_window(place, by) for zone, place in state.fields.items()}
     knot = None if state.knot is None else in_window(state.knot, by)
     return replace(state, window=window, fields=fields, knot=knot)
+
+
+def renumbered(state: EditorState, renumbering: Renumbering) -> EditorState:
+    """Return the state on a net whose rows and columns have other numbers: points and focus follow."""
+
+    def moved(points: frozenset[NetIndex]) -> frozenset[NetIndex]:
+        return frozenset(now for index in points if (now := renumbering.point(index)) is not None)
+
+    points, last = moved(state.selection.points), state.selection.last
+    latest = None if last is None else renumbering.point(last)
+    state = replace(
+        state,
+        selection=Selection(latest or min(points, default=None), points),
+        put_away=moved(state.put_away),
+        measured_point=renumbering.point(state.measured_point) or DEFAULT_POINT,
+    )
+    return with_focus(state, renumbering.window(state.window) or state.window)
 
 
 def fitted(state: EditorState) -> EditorState:

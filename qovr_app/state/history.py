@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from qovr_app.state.change import Change, backward, forward
 from qovr_app.state.intents import Intent
 from qovr_app.state.point_intents import PointsEdited
+from qovr_app.state.renumbering import Renumbering
 from qovr_core import Document
 from qovr_core.net_edits import NetEdit
 
@@ -29,6 +30,7 @@ class Step:
     serial : a number that no other step of the history has
     gesture : the gesture that the step belongs to, 0 for none; steps of one gesture become one
     edit : the edit of points that it was, which can be done once more; None for any other step
+    renumbering : which numbers rows and columns had afterwards; None where the same
     """
 
     text: str
@@ -36,6 +38,7 @@ class Step:
     serial: int
     gesture: int = 0
     edit: NetEdit | None = None
+    renumbering: Renumbering | None = None
 
     @property
     def bytes_held(self) -> int:
@@ -94,7 +97,15 @@ class History:
         """What would be done again; None where nothing can be."""
         return self.steps[self.index].text if self.index < len(self.steps) else None
 
-    def pushed(self, text: str, document: Document, intent: Intent | None, gesture: int = 0) -> History:
+    def pushed(
+        self,
+        text: str,
+        document: Document,
+        intent: Intent | None,
+        gesture: int = 0,
+        *,
+        renumbering: Renumbering | None = None,
+    ) -> History:
         """Return the history with another document on top.
 
         A gesture's steps become one, and none where the document comes back to where the gesture began. A saved step
@@ -108,7 +119,7 @@ class History:
             return replace(earlier, steps=self.steps[:-1], bytes_held=self.bytes_held - self.steps[-1].bytes_held)
         edit = intent.edit if isinstance(intent, PointsEdited) else None
         text, serial = (self.steps[-1].text, self.serial) if grows else (text, self.last_serial + 1)
-        step = Step(text, Change.between(earlier.document, document), serial, gesture, edit)
+        step = Step(text, Change.between(earlier.document, document), serial, gesture, edit, renumbering)
         return earlier._with_step(document, step, intent)
 
     def without(self, gesture: int, earlier: History) -> History:
@@ -136,6 +147,14 @@ class History:
         else:
             document = forward(self.document, [step.change for step in self.steps[self.index : there]])
         return replace(self, document=document, index=there, latest=None)
+
+    def renumberings_to(self, index: int) -> list[Renumbering]:
+        """Return what rows and columns go through on the way to where so many steps are done."""
+        there = min(max(index, 0), len(self.steps))
+        if there < self.index:
+            undone = (step.renumbering for step in reversed(self.steps[there : self.index]))
+            return [each.back for each in undone if each is not None]
+        return [step.renumbering for step in self.steps[self.index : there] if step.renumbering is not None]
 
     def marked_saved(self, serial: int | None) -> History:
         """Return the history with the document of a serial as the one in the file; None where none is."""

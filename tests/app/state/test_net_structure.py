@@ -65,7 +65,10 @@ def test_the_selection_follows_its_points_and_the_focus_its_window(intent):
     assert not done.is_stale
     back = after(done, intents.Undone())
     assert back.document == state.document
-    assert after(back, intents.Redone()).document == done.document
+    assert (back.selection, back.put_away, back.window) == (state.selection, state.put_away, state.window)
+    again = after(back, intents.Redone())
+    assert again.document == done.document
+    assert (again.selection, again.put_away, again.window) == (done.selection, done.put_away, done.window)
 
 
 def test_what_is_removed_is_no_longer_selected():
@@ -92,7 +95,20 @@ def test_an_extracted_window_is_the_net():
     state = after(net(), Selected((3, 5), ((0, 0),)), net_intents.WindowExtracted((1, 2)))
     assert (state.document.windows, state.window) == ((1, 1), (0, 0))
     assert state.selection.points == {(1, 1)}
-    assert after(state, intents.Undone()).document.windows == (2, 3)
+    back = after(state, intents.Undone())
+    assert (back.document.windows, back.window) == ((2, 3), (1, 2))
+    assert back.selection.points == {(3, 5)}
+
+
+def test_the_history_is_gone_through_in_one_go_as_step_by_step():
+    state = after(net(), Selected((3, 5)), WindowFocused((1, 2)))
+    edits = EDITS["prepend u"], EDITS["transpose"], EDITS["prepend v"], EDITS["reverse u"], EDITS["insert u"]
+    done = after(state, *edits)
+    assert picked(done)[0] == picked(state)[0]
+    back = after(done, intents.WentTo(0))
+    assert (back.document, back.selection, back.window) == (state.document, state.selection, state.window)
+    there = after(back, intents.WentTo(len(edits)))
+    assert (there.document, there.selection, there.window) == (done.document, done.selection, done.window)
 
 
 def test_messages_say_how_far_the_surface_moves():
