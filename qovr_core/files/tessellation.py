@@ -16,7 +16,7 @@ from qovr_core.geometry.patch import Patch
 _HALVINGS = 4
 """Second derivatives are bounded on 16 x 16 pieces of a window, where coefficients lie close to values..."""
 
-_MOST_PIECES = 1 << 17
+_MOST_PIECES = 1 << 15
 """...and of a large net, whose windows are pieces already, on fewer, so that there are not more than so many."""
 
 _FEWEST_HALVINGS = 2

@@ -22,6 +22,7 @@ from qovr_core import FORMULATIONS, Formulation, configure
 from qovr_core.files import FORMATS, read_document, write_document
 from qovr_core.files.qovr_document import document_to_json
 from qovr_core.presets import preset, presets
+from qovr_core.shapes import SHAPES
 from support.command import PUBLISHED, QOVR, environment, qovr, refused
 from support.documents import random_document
 
@@ -117,7 +118,8 @@ def test_reproduce_says_no_to_a_workbook_that_no_formulation_meets(tmp_path):
 def test_presets_are_listed():
     run = qovr("presets")
     assert run.code == 0
-    assert [line.split()[0] for line in run.out.splitlines()] == [f"paper:{name}" for name in presets()]
+    names = [*(f"paper:{name}" for name in presets()), *(f"shape:{name}" for name in SHAPES)]
+    assert [line.split()[0] for line in run.out.splitlines()] == names
 
 
 def test_info_in_words_and_in_json(tmp_path):
