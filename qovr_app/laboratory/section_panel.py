@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 from PySide6.QtWidgets import QVBoxLayout, QWidget
 
 from qovr_app.laboratory.panel import LaboratoryPanel
@@ -10,24 +11,26 @@ from qovr_app.laboratory.section_plot import SectionPlot
 from qovr_app.laboratory.wording import value_text
 from qovr_app.state.display import LayerChoice, SectionChoice
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.focus import window_shown
 from qovr_app.state.looking_intents import DisplayChosen
-from qovr_app.state.sections import placed, plane_of_choice, reach
+from qovr_app.state.sections import plane_of_choice
 from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.style.theme import theme_of
 from qovr_app.widgets.clipboard import Rows, copy_table
 from qovr_app.widgets.parts import words
 from qovr_app.work.worker import Worker
+from qovr_core.arrays import Array
 from qovr_core.geometry.section import CuttingPlane, SectionCurve, section
 from qovr_core.layer import Layer
 
 _NAME = "laboratory.section"
 _LEAST_PLOT = 200
+_SAMPLES = 65
+"""Places each way from which it is told between where the plane meets the surface."""
 
 
 class SectionPanel(LaboratoryPanel):
-    """Follows the window in focus, the layer that is shown, and the plane."""
+    """Follows the document, the layer that is shown, and the plane."""
 
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__(store, worker, parent)
@@ -56,7 +59,7 @@ class SectionPanel(LaboratoryPanel):
             after.display.section,
             after.display.layer,
         )
-        if not is_same or after.differs(before, "evaluation", "shown_document", "window"):
+        if not is_same or after.differs(before, "evaluation", "shown_document"):
             self._show(after)
 
     def _show(self, state: EditorState) -> None:
@@ -68,9 +71,10 @@ class SectionPanel(LaboratoryPanel):
         layer = _layer(state)
         if self._plane is not None:
             surface = evaluation.layer_patch(layer)
-            plane = placed(self._plane, surface)
-            offset, self.pieces = section(surface.window(*window_shown(state)), plane)
-            self._bar.show_choice(choice, offset, reach(plane, surface))
+            offset, self.pieces = section(surface, self._plane)
+            u, v = (np.linspace(*ends, _SAMPLES) for ends in surface.domain)
+            heights: Array = surface.points(u, v) @ self._plane.normal
+            self._bar.show_choice(choice, offset, (float(heights.min()), float(heights.max())))
         else:
             self._bar.show_choice(choice, 0.0, (0.0, 1.0))
         self._bar.set_copyable(bool(self.pieces))

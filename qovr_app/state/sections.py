@@ -4,17 +4,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import numpy as np
-
 from qovr_app.state.display import DisplaySettings, SectionChoice
 from qovr_app.state.names import AXES
 from qovr_core import Document
-from qovr_core.arrays import Array
-from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.section import CuttingPlane, plane_across, upright_plane
-
-_SAMPLES = 65
-"""Places each way from which it is told between where the plane meets the surface."""
 
 PANEL = "section"
 """The panel while which is shown the view shows the section."""
@@ -35,26 +28,6 @@ def plane_of_choice(choice: SectionChoice, document: Document) -> CuttingPlane |
         return None
     start, end = (document.control_points[index] for index in choice.through)
     return upright_plane(start, end)
-
-
-def placed(plane: CuttingPlane, surface: Patch) -> CuttingPlane:
-    """Return a plane that is to cut every window of a net: where no place is chosen, in the middle of the whole."""
-    if plane.offset is not None or surface.windows == (1, 1):
-        return plane
-    heights = _heights(plane, surface)
-    return replace(plane, offset=float(heights.min() + heights.max()) / 2)
-
-
-def reach(plane: CuttingPlane, surface: Patch) -> tuple[float, float]:
-    """Return between which places along its normal a plane meets a surface, as far as samples tell."""
-    heights = _heights(plane, surface)
-    return float(heights.min()), float(heights.max())
-
-
-def _heights(plane: CuttingPlane, surface: Patch) -> Array:
-    u, v = (np.linspace(*ends, _SAMPLES) for ends in surface.domain)
-    heights: Array = surface.points(u, v) @ plane.normal
-    return heights
 
 
 def section_name(choice: SectionChoice, offset: float) -> str:

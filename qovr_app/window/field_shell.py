@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 
 from qovr_app.state import requests
 from qovr_app.state.field_facts import current_place
+from qovr_app.state.focus import is_net
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.state.names import label
 from qovr_app.store import Store
@@ -68,7 +69,7 @@ class FieldShell:
             return
         text = field.text() if field.has_own_text else number_text(field.value)
         QGuiApplication.clipboard().setText(text)
-        self._store.dispatch(MessageShown(f"Copied {label(place)}: {text}"))
+        self._store.dispatch(MessageShown(f"Copied {label(place, in_net=is_net(self._store.state))}: {text}"))
 
     def _paste(self) -> None:
         """Paste over the whole number, and take it as leaving the field would."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import is_net
 from qovr_app.state.intents import Intent, ValuesEdited
 from qovr_app.state.knot_in_hand import KnotInHand, default_knot
 from qovr_app.state.looking_intents import FieldFocused
@@ -36,7 +37,7 @@ def knot_choices(place: KnotPlace, state: EditorState) -> Choices:
     one = knot.set_to(knot.value, takes_s=True, in_view=True)
     on_all = f"Set {place.letter}_ip to {number_text(knot.value)} on all curves {_family(state, place.direction)}"
     return [
-        (_text(f"Reset {label(place)} to {number_text(knot.default)}"), knot.reset(in_view=True)),
+        (_text(f"Reset {label(place, in_net=is_net(state))} to {number_text(knot.default)}"), knot.reset(in_view=True)),
         (_text(on_all), replace(one, curve=None)),
     ]
 

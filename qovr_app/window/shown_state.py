@@ -29,7 +29,7 @@ def shown_of(state: EditorState) -> Shown:
         reference_name=reference.name if reference else "",
         knot=state.knot,
         curve=knot_in_focus(state),
-        window=state.window,
+        window=window_shown(state),
         comparison=_comparison_of(state),
         opening=state.file.opening,
         dragging=state.gesture is not None,

@@ -31,15 +31,25 @@ def net_text(document: Document) -> str:
 
 
 def joints_text(document: Document, window: Window) -> str:
-    """Return the joints of a window, as "joints: smooth at u = 1, sharp at v = 0"."""
+    """Return the joints of a window, as "joints: smooth at u = 1, sharp at v = 0", or that all are alike.
+
+    Examples
+    --------
+    >>> net = [[[j, i, 0] for j in range(9)] for i in range(5)]
+    >>> net_text(Document(net)), joints_text(Document(net), (0, 1))
+    ('5 × 9 points, 1 × 3 windows', 'joints: all smooth')
+    """
     a, b = window
-    found = [
-        f"{joint} at {direction.parameter} = {end}"
+    found = {
+        f"{direction.parameter} = {end}": joint
         for direction, along in ((Direction.ROWS, b), (Direction.COLUMNS, a))
         for end, find in enumerate((joint_before, joint_after))
         if (joint := find(document, direction, along)) is not None
-    ]
-    return f"joints: {', '.join(found)}"
+    }
+    kinds = set(found.values())
+    if len(found) > 1 and len(kinds) == 1:
+        return f"joints: all {kinds.pop()}"
+    return f"joints: {', '.join(f'{joint} at {place}' for place, joint in found.items())}"
 
 
 def points_text(window: Window) -> str:

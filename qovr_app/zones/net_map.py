@@ -164,14 +164,14 @@ class NetMap(QWidget):
         """Draw the ends of the net, dashed where it is closed, and its joints: sharp ones in red, which is a crease."""
         theme, document, first = theme_in_force(), self._document, self.cell((0, 0))
         count = document.windows[direction is Direction.ROWS]
-        size = first.width() if direction is Direction.ROWS else first.height()
+        size = min(first.width(), first.height())
         for k in range(count + 1):
             joint = joint_before(document, direction, k % count)
             is_end = k in (0, count)
             is_sharp = joint is Joint.SHARP
             if not is_end and not is_sharp and size < _LINED:
                 continue
-            colour: Rgb = theme.bad if is_sharp else theme.axis if is_end else theme.edge
+            colour: Rgb = theme.sharp_joint if is_sharp else theme.axis if is_end else theme.edge
             pen = QPen(QColor(*colour), _SHARP if is_sharp and size >= _LINED else _THIN)
             if is_end and document.is_closed(direction):
                 pen.setStyle(Qt.PenStyle.DashLine)

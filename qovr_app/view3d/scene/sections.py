@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from qovr_app.state.display import SectionChoice
-from qovr_app.state.sections import placed, plane_of_choice, section_name
+from qovr_app.state.sections import plane_of_choice, section_name
 from qovr_app.view3d.scene.scene import Scene
-from qovr_core import ParametricSurface
 from qovr_core.arrays import Array, read_only
-from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.section import section
 
 
@@ -25,10 +21,5 @@ def _made(scene: Scene, choice: SectionChoice) -> tuple[str, list[Array]]:
     plane = plane_of_choice(choice, scene.document)
     if plane is None:
         return "", []
-    windows: list[ParametricSurface] = [scene.surface]
-    if isinstance(scene.surface, Patch):
-        plane = placed(plane, scene.surface)
-        windows = [scene.surface.window(*at) for at in np.ndindex(scene.surface.windows)]
-    (offset, _), *_ = found = [section(surface, plane) for surface in windows]
-    pieces = (piece for _, pieces in found for piece in pieces)
+    offset, pieces = section(scene.surface, plane)
     return section_name(choice, offset), [read_only(scene.frame.to_unit(piece.points)) for piece in pieces]

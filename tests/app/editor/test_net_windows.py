@@ -7,11 +7,13 @@ from PySide6.QtGui import QAction
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
+from qovr_app.state.focus import has_point
 from qovr_app.state.intents import LiveSwitched, Opened, Reloaded
 from qovr_app.state.knot_intents import LinkSwitched
 from qovr_app.state.looking_intents import PanelShown, Selected, WindowFocused
 from qovr_core import Document, edits
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, value_at
+from qovr_core.files.sources import read_source
 from qovr_core.presets import preset
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 from support.nets import closed_net, random_net_document
@@ -230,6 +232,43 @@ def test_the_laboratory_is_about_the_window_in_focus(net):
     assert np.array_equal(curve.points, line)
 
 
+@pytest.mark.parametrize("panel", ["influence", "comparison", "section", "curve"])
+def test_every_panel_takes_points_of_any_window(net, panel):
+    net.dispatch(PanelShown(panel))
+    for point in ((6, 8), (2, 2), (5, 1)):
+        net.dispatch(Selected(point))
+        assert has_point(focus_of(net), point)
+        said = " ".join(label.text() for label in net.find(f"laboratory.{panel}").findChildren(QLabel))
+        if panel in ("influence", "comparison"):
+            assert "<sub>{},{}</sub>".format(*point) in said
+    click_map(net, (0, 2))
+    if panel == "influence":
+        assert "Select a control point" in net.find("laboratory.influence.words", QLabel).text()
+
+
+def test_the_arrow_keys_of_the_view_walk_on_into_the_next_window(net):
+    view = net.window.view.viewports[0].widget
+    net.dispatch(Selected((2, 4)))
+    visited = set()
+    for key in (Qt.Key.Key_Right, Qt.Key.Key_Up, Qt.Key.Key_Left, Qt.Key.Key_Down):
+        net.dispatch(Selected((2, 4)))
+        net.dispatch(WindowFocused((0, 0)))
+        view.setFocus()
+        net.key(key, widget=view)
+        last = net.window.store.state.selection.last
+        assert has_point(focus_of(net), last)
+        visited.add((last, focus_of(net)))
+    assert ((2, 5), (0, 1)) in visited
+
+
+def test_one_window_alone_is_written_as_a_workbook(net, tmp_path):
+    click_map(net, (1, 2))
+    path = tmp_path / "window.xlsx"
+    net.export_to(path)
+    found = read_source(str(path))
+    assert np.array_equal(found.control_points, SHARP.control_points[2:7, 4:9])
+
+
 def test_one_window_has_no_map_and_no_commands_for_more(one_window):
     one_window.begin_again()
     assert not one_window.find("net.map").isVisible()
@@ -251,6 +290,24 @@ def test_undo_across_shapes_brings_the_zones_along(make_editor):
     editor.trigger("redo")
     assert shows(editor, (0, 0))
     assert editor.find("net.map").isVisible()
+
+
+@pytest.mark.parametrize("panel", ["curve", "influence", "comparison", "section", "claims"])
+def test_an_older_surface_of_another_shape_is_shown_until_the_net_is_configured(make_editor, panel):
+    editor = make_editor()
+    assert editor.window.view is not None
+    editor.dispatch(LiveSwitched(False))
+    editor.dispatch(PanelShown(panel))
+    editor.dispatch(Reloaded(SHARP, None))
+    click_map(editor, (1, 2))
+    assert shows(editor, (1, 2))
+    for name in ("row_knots.C_3.s", "column_knots.K_3.s", "control_points.P_4_4.z"):
+        editor.type_into(name, "0.44")
+    editor.trigger("configure")
+    assert editor.window.store.state.evaluation.document == SHARP
+    editor.trigger("undo")
+    assert shows(editor, (0, 0))
+    editor.type_into("row_knots.C_3.s", "0.45")
 
 
 def test_the_largest_net_has_a_map_to_click(make_editor):
