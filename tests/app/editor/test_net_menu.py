@@ -10,7 +10,9 @@ from qovr_app.state.looking_intents import Selected, WindowFocused
 from qovr_core import build_patch
 from qovr_core.files import read_source
 from qovr_core.joints import Joint
+from support.hand import Hand
 from support.nets import random_net_document
+from support.step_reader import StepFile
 
 SMOOTH, SHARP = Joint.SMOOTH, Joint.SHARP
 
@@ -102,6 +104,35 @@ def test_a_net_of_7_by_9_grows_from_the_papers_and_is_taken_back(editor, tmp_pat
         editor.trigger("redo")
     assert editor.document == net
     assert not editor.window.store.state.is_changed
+
+
+def test_a_point_on_a_joint_is_pulled_and_the_net_goes_to_cad_in_two_faces(editor, tmp_path, monkeypatch):
+    grown(editor)
+    assert editor.document.joints.u == (SMOOTH, SMOOTH)
+    before = editor.document
+    hand = Hand(editor)
+    hand.press(hand.place(3, 3))
+    hand.move_by(0, -60)
+    hand.release()
+    pulled = editor.document
+    moved = np.argwhere((pulled.control_points != before.control_points).any(axis=-1)).tolist()
+    assert moved == [[3, 3]]
+    assert pulled.control_points[3, 3, 2] > before.control_points[3, 3, 2]
+    changed = (build_patch(pulled).coefficients != build_patch(before).coefficients).any(axis=(2, 3, 4))
+    assert changed[:, :2].all()  # on both sides of the joint
+    assert not changed[:, 2].any()
+    assert jump(pulled) < 1e-6
+
+    editor.dispatch(WindowFocused((0, 1)))
+    editor.trigger("sharp_u")
+    creased(editor)
+    monkeypatch.setattr("qovr_app.window.document_shell.ask_for_target", lambda *_args: tmp_path / "net.qovr")
+    editor.trigger("save_as")
+    again = read_source(str(tmp_path / "net.qovr"))
+    assert again == editor.document
+    editor.export_to(tmp_path / "net.step")
+    faces = StepFile(tmp_path / "net.step").surfaces()
+    assert len(faces) == 2  # one on each side of the crease
 
 
 def test_what_needs_windows_that_meet_says_so_and_the_way_out_is_in_the_menu(editor):
