@@ -21,7 +21,7 @@ from qovr_core.structure.change import MOST_WINDOWS
 _NET, _APPEND, _WINDOW = "&Net", "&Net/&Append a window", "&Net/&Window in focus"
 _JOINT, _KNOTS, _TURN = "&Net/&Joint after it", "&Net/&Knots by nodes", "&Net/&Turn"
 
-_MEET = "Choose the interpolating formulation first (Net, Interpolating): windows of the others do not meet"
+_MEET = "Choose the interpolating formulation first (in the menu Net): windows of the others do not meet"
 
 _SPACINGS = {
     Spacing.UNIFORM: "All knots 0.5, as if points were evenly spaced",
@@ -43,7 +43,7 @@ def net_commands() -> tuple[Command, ...]:
     return (
         Command(
             "make_interpolating",
-            "&Interpolating",
+            "&Interpolating formulation",
             asking(FormulationChosen(str(Formulation.INTERPOLATING))),
             _NET,
             tip="Choose the formulation whose windows meet, so that a net has one surface",

@@ -71,9 +71,12 @@ def test_a_net_of_7_by_9_grows_from_the_papers_and_is_taken_back(editor, tmp_pat
     assert np.array_equal(editor.document.control_points[:5, 2:7], start.control_points)
     assert editor.message() == "No point of the surface moves."
 
+    editor.type_into("row_knots.C_0.t", "0.4")  # of the window in focus; a smooth joint shares it
+    assert (editor.document.row_knots.array[:, [1, 2], [3, 0]] == 0.4).all()
+    assert jump(editor.document) < 1e-6
     editor.trigger("sharp_u")
     assert editor.document.joints.u == (SMOOTH, SHARP)
-    assert jump(editor.document) < 1e-6
+    assert editor.message().endswith("nothing moves yet.")
     creased(editor)
     assert editor.document.row_knots.array[:, 1, 3] == pytest.approx(0.1)
     assert editor.action("undo").text() == "&Undo Crease joint 1 along u"
