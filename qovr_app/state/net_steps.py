@@ -12,7 +12,7 @@ from qovr_app.state.intents import Intent
 from qovr_app.state.names import AXES
 from qovr_app.state.readouts import motion_text
 from qovr_app.state.renumbering import Renumbering, lines_kept, lines_of_origin
-from qovr_core import Document, build_patch
+from qovr_core import Document, QovrError, build_patch
 from qovr_core.arrays import Array
 from qovr_core.checks import SAMPLES_RANGE
 from qovr_core.document import Window
@@ -49,6 +49,7 @@ def window_appended(state: EditorState, intent: net_intents.WindowAppended) -> E
 
 
 def window_extracted(state: EditorState, intent: net_intents.WindowExtracted) -> EditorState:
+    _check_all_set(state)
     document = extract_window(state.document, intent.window)
     rows, columns = ({STEP * at + k: k for k in range(NET_SIZE)} for at in intent.window)
     text = "Extract window {},{}".format(*intent.window)
@@ -81,6 +82,7 @@ def knots_spaced(state: EditorState, intent: net_intents.KnotsSpaced) -> EditorS
 
 
 def net_reversed(state: EditorState, intent: net_intents.NetReversed) -> EditorState:
+    _check_all_set(state)
     document, direction = state.document, intent.direction
     lines, axis = lines_kept(document), _axis(direction)
     lines[axis] = {k: len(lines[axis]) - 1 - k for k in lines[axis]}
@@ -94,6 +96,7 @@ def net_reversed(state: EditorState, intent: net_intents.NetReversed) -> EditorS
 
 
 def net_transposed(state: EditorState, intent: net_intents.NetTransposed) -> EditorState:
+    _check_all_set(state)
     rows, columns = lines_kept(state.document)
     renumbering = Renumbering(rows, columns, is_transposed=True)
     return with_document(state, "Transpose the net", transpose(state.document), intent, renumbering=renumbering)
@@ -105,6 +108,7 @@ def net_mirrored(state: EditorState, intent: net_intents.NetMirrored) -> EditorS
 
 
 def net_resampled(state: EditorState, intent: net_intents.NetResampled) -> EditorState:
+    _check_all_set(state)
     begun = state.document_before(intent.gesture)
     check_continuous(begun.formulation, "Resampling")
     patch = build_patch(begun)
@@ -139,6 +143,7 @@ def _moved(
 
 def _rebuilt(state: EditorState, text: str, change: NetChange, direction: Direction, intent: Intent) -> EditorState:
     """Return the state after an edit that gives the net other windows along a direction."""
+    _check_all_set(state)
     before, lines = state.document, lines_kept(state.document)
     if change.origin is not None:
         lines[_axis(direction)] = lines_of_origin(before, direction, change.origin)
@@ -151,6 +156,12 @@ def _rebuilt(state: EditorState, text: str, change: NetChange, direction: Direct
 
 def _joint(intent: net_intents.JointSmoothed | net_intents.JointSharpened | net_intents.JointCreased) -> str:
     return f"joint {intent.joint} along {intent.direction.parameter}"
+
+
+def _check_all_set(state: EditorState) -> None:
+    """Raise QovrError where numbers wait in fields whose rows and columns would be other ones."""
+    if state.has_pending:
+        raise QovrError("Numbers are typed that are not set; set them, or get the values back, before the net changes")
 
 
 def _axis(direction: Direction) -> int:

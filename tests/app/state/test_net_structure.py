@@ -11,7 +11,7 @@ from qovr_app.state.display import DisplaySettings
 from qovr_app.state.editor_state import DocumentFile, first_state
 from qovr_app.state.looking_intents import Picking, PointsPutAway, Selected, WindowFocused
 from qovr_core import QovrError
-from qovr_core.edits import knots_of
+from qovr_core.edits import CoordinatePlace, knots_of
 from qovr_core.geometry.knots import Direction
 from qovr_core.geometry.nodes import Spacing
 from qovr_core.joints import Joint
@@ -166,6 +166,18 @@ def test_formulations_whose_windows_do_not_meet_are_refused_with_the_way_out():
         with pytest.raises(QovrError, match="choose interpolating first"):
             after(state, intent)
     assert after(state, net_intents.WindowRemoved(ROWS, 0)).document.windows == (2, 2)
+
+
+@pytest.mark.parametrize(
+    "intent", [*EDITS.values(), net_intents.WindowExtracted((0, 0)), net_intents.NetResampled((1, 1))]
+)
+def test_no_number_that_waits_comes_to_stand_elsewhere(intent):
+    state = after(net(), intents.LiveSwitched(False), intents.ValuesEdited({CoordinatePlace(0, 1, 2): 5.0}))
+    with pytest.raises(QovrError, match="Numbers are typed that are not set; set them"):
+        after(state, intent)
+    done = after(state, intents.PendingSet(), intent)
+    assert done.history.index == 2
+    assert not done.has_pending
 
 
 def some(rng, state):
