@@ -89,9 +89,9 @@ class NumberField(TypedField):
         """By how much an arrow key changes the number."""
         return self._step_size(self._value)
 
-    def turn_to(self, name: str, value: float, text: str | None) -> None:
+    def turn_to(self, name: str, tip: str, value: float, text: str | None) -> None:
         self._bursts.end()
-        super().turn_to(name, value, text)
+        super().turn_to(name, tip, value, text)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         if event.key() in _STEPS and not event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier:

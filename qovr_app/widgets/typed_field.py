@@ -55,17 +55,17 @@ class TypedField(NumberCell):
             self._is_unset = is_unset
             self._refresh()
 
-    def turn_to(self, name: str, value: float, text: str | None) -> None:
-        """Stand for another number, which messages call by a name and over which a text may be typed; silently."""
+    def turn_to(self, name: str, tip: str, value: float, text: str | None) -> None:
+        """Stand for another number, with its name and what it means, over which a text may be typed; silently."""
         self.blockSignals(True)
-        self._name = name
+        self._name, self._tip = name, tip
         self._put(value)
         if text is not None:
             self.setText(text)
             with suppress(QovrError):
                 self.typed()
+            self._refresh()
         self.blockSignals(False)
-        self._refresh()
         if self.hasFocus():
             self.selectAll()
 

@@ -152,16 +152,18 @@ class NetMap(QWidget):
             painter.setRenderHint(QPainter.RenderHint.Antialiasing)
             painter.fillRect(area, QColor(*theme.cell))
             for direction in Direction:
-                self._paint_joints(painter, direction)
+                self._paint_joints(painter, direction, are_sharp=False)
             self._paint_focus(painter)
+            for direction in Direction:
+                self._paint_joints(painter, direction, are_sharp=True)
             self._paint_names(painter)
             if self.hasFocus():
                 painter.setBrush(Qt.BrushStyle.NoBrush)
                 painter.setPen(QPen(QColor(*theme.accent), _THIN))
                 painter.drawRoundedRect(area.adjusted(-4, -4, 4, 4), 3, 3)
 
-    def _paint_joints(self, painter: QPainter, direction: Direction) -> None:
-        """Draw the ends of the net, dashed where it is closed, and its joints: sharp ones in red, which is a crease."""
+    def _paint_joints(self, painter: QPainter, direction: Direction, *, are_sharp: bool) -> None:
+        """Draw the sharp joints, or all others and the ends of the net, dashed where it is closed."""
         theme, document, first = theme_in_force(), self._document, self.cell((0, 0))
         count = document.windows[direction is Direction.ROWS]
         size = min(first.width(), first.height())
@@ -169,7 +171,7 @@ class NetMap(QWidget):
             joint = joint_before(document, direction, k % count)
             is_end = k in (0, count)
             is_sharp = joint is Joint.SHARP
-            if not is_end and not is_sharp and size < _LINED:
+            if is_sharp is not are_sharp or (not is_end and not is_sharp and size < _LINED):
                 continue
             colour: Rgb = theme.sharp_joint if is_sharp else theme.axis if is_end else theme.edge
             pen = QPen(QColor(*colour), _SHARP if is_sharp and size >= _LINED else _THIN)

@@ -75,9 +75,9 @@ class FieldZone(QFrame):
         for local, field in fields:
             place = in_window(local, self.shown_window)
             self.fields[place] = field
-            field.turn_to(label(place, in_net=in_net), value_at(state.draft, place), state.texts.get(place))
+            name, tip = label(place, in_net=in_net), self._tip(place, state.document)
+            field.turn_to(name, tip, value_at(state.draft, place), state.texts.get(place))
             field.setAccessibleName(spoken(place, in_net=in_net))
-            field.set_tip(self._tip(place, state.document))
         self._where.setText(window_words(self.shown_window, state.document.windows))
         self._where.setVisible(in_net)
         self.setAccessibleDescription(self._where.text())
