@@ -114,7 +114,8 @@ def even(intervals: Indices, *, from_both_sides: bool = False) -> Located:
 
     The windows count as of length 1, so that derivatives are those by each window's own parameter.
     """
-    local = [np.linspace(0.0, 1.0, count + 1) for count in intervals.tolist()]
+    made = {count: np.linspace(0.0, 1.0, count + 1) for count in set(intervals.tolist())}
+    local = [made[count] for count in intervals.tolist()]
     if not from_both_sides:
         local[:-1] = [places[:-1] for places in local[:-1]]
     window = np.repeat(np.arange(len(intervals)), [len(places) for places in local])

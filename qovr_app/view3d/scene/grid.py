@@ -76,6 +76,14 @@ class Grid:
         """Return the grid of some windows."""
         return Grid(self.u[along_u], self.v[along_v])
 
+    def vertices_of(self, along_v: slice, along_u: slice) -> tuple[slice, slice]:
+        """Return which vertices along u and along v are those of some windows."""
+        rows, columns = (
+            slice(*window_starts(cells)[[along.start, along.stop]].tolist())
+            for cells, along in ((self.u, along_u), (self.v, along_v))
+        )
+        return rows, columns
+
 
 @lru_cache(maxsize=32)
 def _within(cells: Cells, most: int) -> Cells:
@@ -102,6 +110,24 @@ def breakpoints_of(surface: ParametricSurface) -> tuple[Array, Array]:
 def windows_of(surface: ParametricSurface) -> tuple[int, int]:
     """Return how many windows a surface is drawn in along v and along u, (m, n)."""
     return surface.windows if isinstance(surface, Patch) else (1, 1)
+
+
+def touched_windows(before: Patch, after: Patch) -> tuple[slice, slice] | None:
+    """Return the windows, along v and along u, in which alone two patches differ; None where these are the most."""
+    if before.windows != after.windows:
+        return None
+    touched = np.nonzero((before.coefficients != after.coefficients).any(axis=(2, 3, 4)))
+    if not len(touched[0]):
+        return slice(0, 0), slice(0, 0)
+    along_v, along_u = (slice(int(each.min()), int(each.max()) + 1) for each in touched)
+    is_most = 2 * part_of(after, along_v, along_u).coefficients.size > after.coefficients.size
+    return None if is_most else (along_v, along_u)
+
+
+def part_of(patch: Patch, along_v: slice, along_u: slice) -> Patch:
+    """Return some windows of a patch, their parameters counted from 0."""
+    lengths = None if patch.lengths is None else (patch.lengths[0][along_u], patch.lengths[1][along_v])
+    return Patch(patch.coefficients[along_v, along_u], patch.degree, lengths)
 
 
 def shared_grid(surface: ParametricSurface, cells: Counts) -> Grid:

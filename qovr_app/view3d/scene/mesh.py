@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_app.view3d.scene.frame import FARTHEST
-from qovr_app.view3d.scene.grid import Grid, cell_starts, parameters, window_starts
+from qovr_app.view3d.scene.grid import Grid, cell_starts, parameters, part_of, touched_windows, window_starts
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry.bernstein import basis
 from qovr_core.geometry.differential import ParametricSurface
@@ -58,23 +58,17 @@ def revised_vertices(
     -------
     the vertices, as of ``surface_vertices``, and the rows, along u, that are not what they were
     """
-    whole = slice(0, len(vertices))
-    if not isinstance(before, Patch) or not isinstance(after, Patch) or before.windows != after.windows:
-        return surface_vertices(after, grid), whole
-    before, drawn = _drawn(before, grid), _drawn(after, grid)
-    a, b = np.nonzero((before.coefficients != drawn.coefficients).any(axis=(2, 3, 4)))
-    if not len(a):
+    if not isinstance(before, Patch) or not isinstance(after, Patch):
+        return surface_vertices(after, grid), slice(0, len(vertices))
+    drawn = _drawn(after, grid)
+    touched = touched_windows(_drawn(before, grid), drawn)
+    if touched is None:
+        return surface_vertices(after, grid), slice(0, len(vertices))
+    part = part_of(drawn, *touched)
+    if not part.coefficients.size:
         return vertices, slice(0, 0)
-    along_v, along_u = (slice(int(each.min()), int(each.max()) + 1) for each in (a, b))
-    coefficients = drawn.coefficients[along_v, along_u]
-    if 2 * coefficients.size > drawn.coefficients.size or not _is_in_sight(coefficients):
-        return surface_vertices(after, grid), whole
-    rows, columns = (
-        slice(*window_starts(cells)[[along.start, along.stop]].tolist())
-        for cells, along in ((grid.u, along_u), (grid.v, along_v))
-    )
-    revised = vertices.copy()
-    revised[rows, columns] = _patch_vertices(Patch(coefficients, after.degree), grid.of_windows(along_v, along_u))
+    revised, (rows, columns) = vertices.copy(), grid.vertices_of(*touched)
+    revised[rows, columns] = surface_vertices(part, grid.of_windows(*touched))
     return read_only(revised), rows
 
 

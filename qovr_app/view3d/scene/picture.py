@@ -13,7 +13,7 @@ from qovr_app.state.tools import ToolSettings
 from qovr_app.style.theme import Theme, theme_of
 from qovr_app.view3d.scene.camera import Camera, Margins, Size
 from qovr_app.view3d.scene.colouring import Colouring, colouring_of
-from qovr_app.view3d.scene.display_grid import display_grid, facet_grid, sample_grid
+from qovr_app.view3d.scene.display_grid import facet_grid, sample_grid
 from qovr_app.view3d.scene.grid import Grid, windows_of
 from qovr_app.view3d.scene.hand import Hand
 from qovr_app.view3d.scene.knot_handles import KnotHandle, handles_of
@@ -107,11 +107,7 @@ class Picture:
     @property
     def grid(self) -> Grid:
         """The grid on which the surface is drawn."""
-        scene, style, moving = self.scene, self.settings.style, self.moving
-        if (style, moving) not in scene.cache:
-            scene.cache[style, moving] = display_grid(scene.patch, scene.document.samples, style, moving=moving)
-        found: Grid = scene.cache[style, moving]
-        return found
+        return self.scene.grid(self.settings.style, moving=self.moving)
 
     @property
     def has_facets(self) -> bool:

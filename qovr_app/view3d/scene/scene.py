@@ -8,12 +8,14 @@ from typing import Any
 
 import numpy as np
 
-from qovr_app.state.display import Scaling
+from qovr_app.state.display import Scaling, Style
 from qovr_app.view3d.scene.curve_lines import curve_points
+from qovr_app.view3d.scene.display_grid import display_grid
 from qovr_app.view3d.scene.frame import FARTHEST, Frame, frame_around
-from qovr_app.view3d.scene.grid import Grid, parameters, shared_grid, spread
+from qovr_app.view3d.scene.grid import Grid, shared_grid, spread, windows_of
 from qovr_app.view3d.scene.held_ranges import HeldRanges
-from qovr_app.view3d.scene.mesh import FloatArray, surface_vertices
+from qovr_app.view3d.scene.mesh import FloatArray, revised_vertices, surface_vertices
+from qovr_app.view3d.scene.values import revised_values
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
 from qovr_core.fields import Field, Need, field_values
@@ -108,11 +110,36 @@ class Scene:
 
     def values(self, field: Field, grid: Grid, *, moving: bool) -> Array:
         """Return the values of a field on a grid, (n, m) float64 in the document's units; computed once."""
+
+        def values(surface: ParametricSurface, u: Array, v: Array) -> Array:
+            return field_values(field, surface, u, v, self.beside(field.needs))
+
         few = grid if field.finest is None else grid.within((field.finest[not moving] - 1,) * 2)
         if (field, few) not in self.cache:
-            u, v = parameters(self.surface, few)
-            self.cache[field, few] = field_values(field, self.surface, u, v, self.beside(field.needs))
+            known = self._known((field, few)) if field.needs is not Need.KNOT else None
+            before = None if known is None else self.cache[Scene].surface
+            self.cache[field, few] = revised_values(known, before, self.surface, few, values)
         return spread(self.cache[field, few], few, grid)
+
+    def follow(self, earlier: Scene) -> None:
+        """Take over what an earlier scene of the layer has made, as far as nothing but some windows is another."""
+        others, own = ((each.frame, each.companions.reference, each.document.samples) for each in (earlier, self))
+        if others == own and windows_of(earlier.surface) == windows_of(self.surface) != (1, 1):
+            earlier.cache.pop(Scene, None)  # what is older still is let go
+            self.cache[Scene] = earlier
+
+    def _known(self, key: Any) -> Any:
+        """Return what the earlier scene has made; None where there is none, or it has not."""
+        return self.cache[Scene].cache.get(key) if Scene in self.cache else None
+
+    def grid(self, style: Style, *, moving: bool) -> Grid:
+        """Return the grid on which the surface is drawn; while it moves that of the earlier scene."""
+        if (style, moving) not in self.cache:
+            known = self._known((style, moving)) if moving else None
+            made = known or display_grid(self.patch, self.document.samples, style, moving=moving)
+            self.cache[style, moving] = made
+        found: Grid = self.cache[style, moving]
+        return found
 
     @cached_property
     def leaves_frame(self) -> bool:
@@ -149,7 +176,11 @@ class Scene:
     def _vertices(self, grid: Grid) -> FloatArray:
         """Return ``surface_vertices``: in a net of many windows several ask for those of one grid."""
         if ("vertices", grid) not in self.cache:
-            self.cache["vertices", grid] = surface_vertices(self.patch, grid)
+            known = self._known(("vertices", grid))
+            if known is None:
+                self.cache["vertices", grid] = surface_vertices(self.patch, grid)
+            else:
+                self.cache["vertices", grid], _ = revised_vertices(known, self.cache[Scene].patch, self.patch, grid)
         found: FloatArray = self.cache["vertices", grid]
         return found
 

@@ -55,7 +55,7 @@ class Scenes:
 
     def _build(self, *, keep_limits: bool) -> None:
         """Make the scenes of the layers that are shown, in limits of their own or in those of before."""
-        shown, evaluation = self._shown, self._shown.evaluation
+        shown, evaluation, before = self._shown, self._shown.evaluation, self._own
         self._own, self._scenes = {}, []
         if evaluation is None:
             return
@@ -67,6 +67,8 @@ class Scenes:
                 self._frames[layer] = scene_frame(evaluation, layer, shown.settings.scaling, *others)
             scene = make_scene(evaluation, layer, self._frames[layer], shown.companions, shown.document)
             self._own[layer] = replace(scene, held=self._held)
+            if layer in before:
+                self._own[layer].follow(before[layer])
         self._compare()
 
     def _compare(self) -> None:

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from qovr_app.state.display import Scaling, Style
+from qovr_app.view3d.scene import scene as scenes
 from qovr_app.view3d.scene.camera import Camera
 from qovr_app.view3d.scene.display_grid import display_grid, facet_grid, sample_grid
 from qovr_app.view3d.scene.grid import Grid, cell_corners, cell_starts, parameters, shared_grid, spread, window_starts
@@ -16,7 +17,7 @@ from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
 from qovr_core import Evaluation, Formulation
 from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.edits import Direction, KnotPlace, set_point, set_values
-from qovr_core.fields import FIELDS
+from qovr_core.fields import FIELDS, field_values
 from qovr_core.layer import Layer
 from support.nets import closed_net, random_net_document
 
@@ -248,3 +249,33 @@ def test_windows_too_small_to_be_told_apart_share_their_cells_while_something_mo
     revised, rows = revised_vertices(vertices, scene.patch, after.patch, grid)
     np.testing.assert_array_equal(revised, surface_vertices(after.patch, grid))
     assert rows.stop - rows.start < len(vertices) / 4
+
+
+@pytest.mark.parametrize("by", ["height", "mean", "distance"])
+def test_a_scene_takes_over_what_an_earlier_one_made_of_the_same_windows(by, monkeypatch):
+    document = waves((5, 6))
+    reference = Evaluation(random_net_document(1, (1, 1))).patch
+    before = scene_of(document, reference=reference)
+    grid = before.grid(Style.SMOOTH, moving=True)
+    before.values(FIELDS[by], grid, moving=True)
+    before.mesh(36)
+    moved = Evaluation(set_point(document, 5, 6, [6.0, 5.0, 0.6]), before.evaluation)
+    after, anew = (make_scene(moved, Layer.RAW, before.frame, before.companions) for _ in range(2))
+    after.follow(before)
+    asked = []
+    monkeypatch.setattr(
+        scenes,
+        "field_values",
+        lambda field, surface, *rest: asked.append(surface) or field_values(field, surface, *rest),
+    )
+    values = after.values(FIELDS[by], grid, moving=True)
+    assert [surface.windows for surface in asked] == [(2, 3)]
+    np.testing.assert_allclose(values, anew.values(FIELDS[by], grid, moving=True), rtol=1e-9, atol=1e-9)
+    np.testing.assert_array_equal(after.mesh(36)[0], anew.mesh(36)[0])
+    assert after.grid(Style.SMOOTH, moving=True) is grid
+    later = make_scene(Evaluation(document, moved), Layer.RAW, before.frame, before.companions)
+    later.follow(after)
+    assert scenes.Scene not in after.cache  # what is older is let go
+    other = scene_of(document)
+    other.follow(before)
+    assert scenes.Scene not in other.cache
