@@ -41,7 +41,7 @@ class Mesh:
     ----------
     points : (k, 3) float64, every place once
     faces : (f, 3) indices of points
-    normals : (l, 3) float64 unit normals; more than points where the surface meets itself in a crease or a tip
+    normals : (l, 3) float64 unit normals; more than points where windows or edges meet in a crease or a tip
     corners : (f, 3) indices of normals
     places : (l,) the point that each normal stands on
     deviation : largest measured distance from the surface where a tolerance was asked for
@@ -160,14 +160,22 @@ def _welded(patch: Patch, grid: MeshGrid, points: Array, normals: Array, measure
     if not joints + seams:
         return Mesh(points, faces, normals, faces, place.ravel(), measured)
     corners = grid.triangles(welding.one_place(grid, welding.of_one_normal(normals, joints, seams)))
-    kept = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
-    used, faces = _compact(faces[kept])
-    standing, corners = _compact(corners[kept])
+    a, b, c = faces.T
+    kept = (a != b) & (b != c) & (c != a)
+    if not kept.all():
+        faces, corners = faces[kept], corners[kept]
+    used, faces = _compact(faces)
+    standing, corners = _compact(corners)
     places = np.searchsorted(used, place.ravel()[standing]).astype(np.int32)
     return Mesh(points[used], faces, normals[standing], corners, places, measured)
 
 
 def _compact(faces: Numbers) -> tuple[Numbers, Numbers]:
     """Return the indices in use, ascending, and the faces renumbered among them."""
-    used, inverse = np.unique(faces, return_inverse=True)
-    return used, inverse.reshape(-1, 3).astype(np.int32)
+    is_used = np.zeros(int(faces.max(initial=-1)) + 1, dtype=np.bool_)
+    for part in blocks(len(faces)):
+        is_used[faces[part]] = True
+    numbers, renumbered = np.cumsum(is_used, dtype=np.int32) - 1, np.empty_like(faces)
+    for part in blocks(len(faces)):
+        renumbered[part] = numbers[faces[part]]
+    return np.flatnonzero(is_used).astype(np.int32), renumbered

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import product
 
 import numpy as np
 import numpy.typing as npt
@@ -49,11 +50,6 @@ class Axis:
     def shared(self) -> Indices:
         """For each sample its number where joints count once."""
         return np.arange(len(self)) - self.located.window
-
-    @property
-    def cells(self) -> Indices:
-        """The samples at which a cell begins: all but the last of each window."""
-        return np.delete(np.arange(len(self)), self.ends)
 
     @property
     def halved(self) -> Axis:
@@ -120,11 +116,15 @@ class MeshGrid:
         return Patch(patch.coefficients[:, window : window + 1], patch.degree, (ones[:1], ones))
 
     def triangles(self, index: Numbers) -> Numbers:
-        """Return two triangles a cell as entries of ``index``, (f, 3); between windows there is none."""
-        u, v = self.u.cells[:, None], self.v.cells
-        a, b, c, d = index[u, v], index[u + 1, v], index[u + 1, v + 1], index[u, v + 1]
-        faces = np.empty((*a.shape, 2, 3), dtype=np.int32)
-        for triangle, corners in enumerate(((a, b, c), (a, c, d))):
-            for k, corner in enumerate(corners):
-                faces[:, :, triangle, k] = corner
+        """Return two triangles a cell as entries of ``index``, (f, 3), window by window; between them is none."""
+        faces = np.empty((int(self.u.intervals.sum() * self.v.intervals.sum()), 2, 3), dtype=np.int32)
+        done = 0
+        for b, a in product(range(len(self.u.intervals)), range(len(self.v.intervals))):
+            own = index[self.u.samples(b), self.v.samples(a)]
+            one, two, three, four = own[:-1, :-1], own[1:, :-1], own[1:, 1:], own[:-1, 1:]
+            of_window = faces[done : done + one.size].reshape(*one.shape, 2, 3)
+            done += one.size
+            for triangle, corners in enumerate(((one, two, three), (one, three, four))):
+                for k, corner in enumerate(corners):
+                    of_window[:, :, triangle, k] = corner
         return faces.reshape(-1, 3)

@@ -71,23 +71,25 @@ def deviation(patch: Patch, grid: MeshGrid, points: Array) -> float:
     points : (n, m, 3) vertices of the grid, cells cut from [i, j] to [i + 1, j + 1]
     """
     fine = grid.v.halved
-    window = grid.v.located.window
-    at = fine.starts[window] + 2 * (np.arange(len(grid.v)) - grid.v.starts[window])
-    cells = grid.v.cells
     largest = 0.0
     for b in range(len(grid.u.intervals)):
         column, of_column, u = grid.column(patch, b), points[grid.u.samples(b)], grid.u.window(b).halved.located
         for start in range(0, len(of_column) - 1, _MEASURED_ROWS):
             corners = of_column[start : start + _MEASURED_ROWS + 1]
             exact = column.points(u[2 * start : 2 * (start + len(corners)) - 1], fine.located)
-            middles = (
-                (exact[1::2, at], corners[:-1], corners[1:]),
-                (exact[::2, at[cells] + 1], corners[:, cells], corners[:, cells + 1]),
-                (exact[1::2, at[cells] + 1], corners[:-1, cells], corners[1:, cells + 1]),
-            )
-            for middle, one, other in middles:
-                largest = max(largest, float(np.square(middle - (one + other) / 2).sum(axis=-1).max()))
+            for a in range(len(grid.v.intervals)):
+                largest = max(largest, _squared_deviation(exact[:, fine.samples(a)], corners[:, grid.v.samples(a)]))
     return math.sqrt(largest)
+
+
+def _squared_deviation(exact: Array, corners: Array) -> float:
+    """Return the square of what ``deviation`` says, for cells of one window and points twice as dense as corners."""
+    middles = (
+        (exact[1::2, ::2], corners[:-1], corners[1:]),
+        (exact[::2, 1::2], corners[:, :-1], corners[:, 1:]),
+        (exact[1::2, 1::2], corners[:-1, :-1], corners[1:, 1:]),
+    )
+    return max(float(np.square(middle - (one + other) / 2).sum(axis=-1).max()) for middle, one, other in middles)
 
 
 def _of_one_window(bounds: Bounds, tolerance: float) -> tuple[Indices, Indices]:

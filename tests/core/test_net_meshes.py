@@ -62,19 +62,15 @@ def triangles_by_another(path):
     return points[faces]
 
 
-def from_both_sides(document):
-    """Return the raw samples of all windows, each evaluated alone, joints twice, and where cells begin."""
-    m, n = document.windows
-    evaluations = [[Evaluation(extract_window(document, (a, b))) for a in range(m)] for b in range(n)]
-    points = np.concatenate([np.concatenate([each.raw for each in column], axis=1) for column in evaluations])
-    counts = [len(column[0].u) for column in evaluations], [len(each.v) for each in evaluations[0]]
-    return points, [np.delete(np.arange(sum(each)), np.cumsum(each) - 1) for each in counts]
-
-
 def expected_triangles(document):
-    points, (u, v) = from_both_sides(document)
-    u = u[:, None]
-    a, b, c, d = points[u, v], points[u + 1, v], points[u + 1, v + 1], points[u, v + 1]
+    """Return the triangles of all windows, each evaluated alone, (f, 3, 3)."""
+    m, n = document.windows
+    windows = (Evaluation(extract_window(document, (a, b))).raw for b in range(n) for a in range(m))
+    return np.concatenate([triangles_of(points) for points in windows])
+
+
+def triangles_of(points):
+    a, b, c, d = points[:-1, :-1], points[1:, :-1], points[1:, 1:], points[:-1, 1:]
     return np.stack([np.stack([a, b, c], axis=2), np.stack([a, c, d], axis=2)], axis=2).reshape(-1, 3, 3)
 
 
