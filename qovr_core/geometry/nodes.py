@@ -47,42 +47,6 @@ def knots_of_steps(steps: npt.ArrayLike) -> Array:
     return read_only(np.stack([r, u, u, t], axis=1))
 
 
-def knots_of_nodes(nodes: npt.ArrayLike) -> Array:
-    """Return the knots (windows, 4), in the order r s u t, that belong to increasing nodes (2 windows + 3,).
-
-    Raises
-    ------
-    ValueError : their number is that of no net, or they do not increase
-
-    Examples
-    --------
-    >>> knots_of_nodes([0, 1, 2, 3, 4, 6, 8]).round(3).tolist()
-    [[0.5, 0.5, 0.5, 0.5], [0.5, 0.333, 0.333, 0.5]]
-    """
-    return knots_of_steps(np.diff(np.asarray(nodes, dtype=np.float64)))
-
-
-def nodes_of_knots(knots: npt.ArrayLike) -> Array:
-    """Return the nodes (2 windows + 3,) that knots (windows, 4) of smooth joints say; the second is 0, the fourth 1.
-
-    Examples
-    --------
-    >>> nodes_of_knots(knots_of_nodes([0, 1, 2, 3, 4, 6, 8])).tolist()
-    [-0.5, 0.0, 0.5, 1.0, 1.5, 2.5, 3.5]
-    """
-    r, _, u, t = np.asarray(knots, dtype=np.float64).T
-    nodes = np.empty(2 * len(r) + 3)
-    nodes[0], nodes[1] = -u[0] * r[0] / (1 - r[0]), 0.0
-    length = 1.0
-    for b in range(len(r)):
-        start = nodes[2 * b + 1]
-        if b:
-            length = (start - nodes[2 * b]) * (1 - r[b]) / (r[b] * u[b])
-        nodes[2 * b + 2], nodes[2 * b + 3] = start + u[b] * length, start + length
-    nodes[-1] = nodes[-2] + (1 - u[-1]) * length * (1 - t[-1]) / t[-1]
-    return read_only(nodes)
-
-
 def steps_of_points(net: Array, spacing: Spacing) -> Array:
     """Return how far apart the nodes along the row curves of a net are: the mean of what each curve says, as parts.
 

@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 from qovr_core import Document, Formulation, QovrError, build_patch
 from qovr_core.edits import knots_of
 from qovr_core.geometry.knots import Direction
-from qovr_core.geometry.nodes import Spacing, knots_of_nodes, nodes_of_knots
+from qovr_core.geometry.nodes import Spacing
 from qovr_core.joints import Joint, can_be_smooth, window_lengths
 from qovr_core.structure.joints import crease, make_sharp, make_smooth, space_knots
 from qovr_core.structure.turning import transpose
-from support.nets import R, S, T, U, closed_net, node_net, random_net_document
+from support.nets import R, S, T, U, closed_net, knots_of_nodes, node_net, nodes_of_knots, random_net_document
 
 SEEDS = st.integers(0, 10_000)
 DIRECTIONS = st.sampled_from(list(Direction))

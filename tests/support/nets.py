@@ -4,7 +4,7 @@ import numpy as np
 
 from qovr_core import Document, Formulation
 from qovr_core.geometry.knots import KNOT_NAMES
-from qovr_core.geometry.nodes import knots_of_nodes
+from qovr_core.geometry.nodes import knots_of_steps
 
 R, S, U, T = range(len(KNOT_NAMES))
 
@@ -60,3 +60,23 @@ def node_net(seed, windows):
     rows = np.broadcast_to(knots_of_nodes(x), (2 * m + 3, n, 4))
     columns = np.broadcast_to(knots_of_nodes(y), (2 * n + 3, m, 4))
     return Document(net, rows, columns, Formulation.INTERPOLATING, (61, 53))
+
+
+def knots_of_nodes(nodes):
+    """Return the knots (windows, 4), in the order r s u t, that belong to increasing nodes (2 windows + 3,)."""
+    return knots_of_steps(np.diff(np.asarray(nodes, dtype=np.float64)))
+
+
+def nodes_of_knots(knots):
+    """Return the nodes (2 windows + 3,) that knots (windows, 4) of smooth joints say; the second is 0, the fourth 1."""
+    r, _, u, t = np.asarray(knots, dtype=np.float64).T
+    nodes = np.empty(2 * len(r) + 3)
+    nodes[0], nodes[1] = -u[0] * r[0] / (1 - r[0]), 0.0
+    length = 1.0
+    for b in range(len(r)):
+        start = nodes[2 * b + 1]
+        if b:
+            length = (start - nodes[2 * b]) * (1 - r[b]) / (r[b] * u[b])
+        nodes[2 * b + 2], nodes[2 * b + 3] = start + u[b] * length, start + length
+    nodes[-1] = nodes[-2] + (1 - u[-1]) * length * (1 - t[-1]) / t[-1]
+    return nodes
