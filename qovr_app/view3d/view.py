@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 from PySide6.QtCore import QPoint, QSize, Signal
 from PySide6.QtGui import QImage, QResizeEvent
 from PySide6.QtWidgets import QWidget
@@ -20,6 +19,7 @@ from qovr_app.view3d.interaction.pointer import Pointer
 from qovr_app.view3d.interaction.refinement import Refinement
 from qovr_app.view3d.scene.camera import Camera, fitted, looking_at, named_view
 from qovr_app.view3d.scene.frame import HALF_EXTENTS
+from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.picture import Picture, margins
 from qovr_app.view3d.scene.scenes import Scenes
 from qovr_app.view3d.scene.shown import Shown
@@ -165,10 +165,11 @@ class View3D(QWidget):
     def fit(self, *, selection: bool = False, animated: bool = True) -> None:
         """Show the whole surface, in limits of its own, or the selected points from near, in the camera's direction."""
         picture, is_animated = self.picture(), animated and self.isVisible()
-        if selection and picture is not None and picture.selected:
-            i, j = np.array(sorted(picture.selected)).T
-            self.camera_motion.lead_to(looking_at(self.camera, picture.scene.points[i, j]), animated=is_animated)
-            return
+        if selection and picture is not None:
+            chosen = picture.scene.points[flags_of(picture.selected, picture.scene.net_shape)]
+            if len(chosen):
+                self.camera_motion.lead_to(looking_at(self.camera, chosen), animated=is_animated)
+                return
         self._scenes.take_limits()
         self._show(moving=True)
         self.camera_motion.lead(self.camera, animated=is_animated)

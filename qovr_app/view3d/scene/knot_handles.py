@@ -10,7 +10,9 @@ from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.frame import Frame
 from qovr_core.arrays import Array, read_only
-from qovr_core.geometry.knots import Direction
+from qovr_core.document import NetIndex
+from qovr_core.geometry.knots import Direction, KnotPlace
+from qovr_core.geometry.windows import NET_SIZE, STEP
 
 _SHORTEST = 1e-9
 """Unit lengths of a chord below which its ends are one point, and a knot has nowhere to go on it."""
@@ -57,13 +59,19 @@ class KnotHandle:
         return way
 
 
+def last_point(place: KnotPlace) -> NetIndex:
+    """Return the last control point of a knot's curve in its window."""
+    along = STEP * place.window + NET_SIZE - 1
+    return (place.curve, along) if place.direction is Direction.ROWS else (along, place.curve)
+
+
 def handles_of(curve: KnotInHand, net: Array, frame: Frame) -> list[KnotHandle]:
     """Return the handles of a curve of a net (k, l, 3) that have a chord."""
     number, is_row = curve.place.curve, curve.place.direction is Direction.ROWS
     points = net[number] if is_row else net[:, number]
     handles = []
     for knot in curve.on_curve:
-        first = 2 * curve.place.window + _CHORDS[knot.place.name]
+        first = STEP * curve.place.window + _CHORDS[knot.place.name]
         ends, middle = points[[first, first + 2]], points[first + 1]
         if np.linalg.norm(np.diff(frame.to_unit(ends), axis=0)) > _SHORTEST:
             handles.append(KnotHandle(knot, read_only(ends), middle))

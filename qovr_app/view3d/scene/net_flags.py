@@ -19,3 +19,8 @@ def flags_of(points: frozenset[NetIndex], shape: tuple[int, ...]) -> Flags:
         is_in = (i < shape[0]) & (j < shape[1])
         flags[i[is_in], j[is_in]] = True
     return read_only(flags)
+
+
+def has_index(shape: tuple[int, ...], index: NetIndex) -> bool:
+    """Return whether a net of a shape has a point of an index."""
+    return index[0] < shape[0] and index[1] < shape[1]

@@ -101,7 +101,7 @@ def ranks(picture: Picture) -> Numbers:
     shape = picture.scene.net_shape
     found = np.where(flags_of(picture.selected, shape), SELECTED, OTHER)
     for index, rank in ((picture.hovered, HOVERED), (picture.last_selected, LAST)):
-        if index is not None and index[0] < shape[0] and index[1] < shape[1]:
+        if index is not None:
             found[index] = rank
     return found
 

@@ -16,9 +16,9 @@ from qovr_app.view3d.scene.colouring import Colouring, colouring_of
 from qovr_app.view3d.scene.display_grid import facet_grid, sample_grid
 from qovr_app.view3d.scene.grid import Grid, windows_of
 from qovr_app.view3d.scene.hand import Hand
-from qovr_app.view3d.scene.knot_handles import KnotHandle, handles_of
+from qovr_app.view3d.scene.knot_handles import KnotHandle, handles_of, last_point
 from qovr_app.view3d.scene.measuring import Spot
-from qovr_app.view3d.scene.net_flags import flags_of
+from qovr_app.view3d.scene.net_flags import flags_of, has_index
 from qovr_app.view3d.scene.patterns import PATTERNS
 from qovr_app.view3d.scene.probing import Parameters
 from qovr_app.view3d.scene.scene import Scene
@@ -44,7 +44,8 @@ class Picture:
 
     Parameters
     ----------
-    selected, last_selected, hovered, pending, refused : control points that are marked
+    selected, last_selected, hovered, pending, refused : control points that are marked; what the scene's net has not is
+        left, for the mouse still rests where a larger net was
     put_away : control points that are not shown
     moving : draw on a coarser grid, because the next frame is near
     probed : the parameters u and v of the point that is read off, or nothing
@@ -74,6 +75,12 @@ class Picture:
     curve: KnotInHand | None = None
     window: Window | None = None
 
+    def __post_init__(self) -> None:
+        for name in ("last_selected", "hovered"):
+            index = getattr(self, name)
+            if index is not None and not has_index(self.scene.net_shape, index):
+                object.__setattr__(self, name, None)
+
     @property
     def theme(self) -> Theme:
         """The colours of everything but the surface."""
@@ -87,9 +94,12 @@ class Picture:
     @cached_property
     def knot_handles(self) -> list[KnotHandle]:
         """The handles that a hand finds: none in figures, and none of a surface that has no such knots."""
-        if self.hand is None or self.curve is None or not self.settings.knot_handles or self.scene.is_comparison:
+        curve, scene = self.curve, self.scene
+        if self.hand is None or curve is None or not self.settings.knot_handles or scene.is_comparison:
             return []
-        return handles_of(self.curve, self.scene.document.control_points, self.scene.frame)
+        if not has_index(scene.net_shape, last_point(curve.place)):
+            return []
+        return handles_of(curve, scene.document.control_points, scene.frame)
 
     @property
     def net_points(self) -> Array:
