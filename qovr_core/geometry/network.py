@@ -53,11 +53,17 @@ def boolean_sum(net: Array, row_knots: Array, column_knots: Array) -> Array:
 
 def boolean_sum_of(net: Array, row_knots: Array, column_knots: Array, rows: Array, columns: Array) -> Array:
     """Return ``boolean_sum`` from curves that are known, (..., k, 7, 3) and (..., l, 7, 3)."""
-    means = np.stack([row_knots.mean(axis=-2), column_knots.mean(axis=-2)])
-    along_u, along_v = weight_coefficients(means)
+    along_u, along_v = weight_coefficients(row_knots.mean(axis=-2)), _weights_across(column_knots.mean(axis=-2))
     # Rows and points are blended by the same weights along v, so their difference is blended once.
     beyond_the_net = rows - along_u[..., None, :, :] @ net
     return _blend(along_u, columns) + _blend(along_v, beyond_the_net).swapaxes(-2, -3)
+
+
+def _weights_across(knots: Array) -> Array:
+    """Return the weights for knots (..., 4) that windows beside one another along u, the second axis, may share."""
+    if knots.ndim < 3:
+        return weight_coefficients(knots)
+    return weight_coefficients(knots.swapaxes(0, 1)).swapaxes(0, 1)
 
 
 def _blend(weights: Array, curves: Array) -> Array:

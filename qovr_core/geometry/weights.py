@@ -67,9 +67,13 @@ def weight_coefficients(knots: npt.ArrayLike, *, kernel_decimals: int | None = N
 
     Returns
     -------
-    (..., 7, 5) float64; column j belongs to P_j. Rows of a degree-4 curve are its degree elevation to 6.
+    (..., 7, 5) float64; column j belongs to P_j. Rows of a degree-4 curve are its degree elevation to 6. Where all
+    entries of the first axis are alike, as curves that share their knots are, they are one.
     """
     k = np.asarray(knots, dtype=np.float64)
+    if k.ndim > 1 and len(k) > 1 and (k == k[:1]).all():
+        once = weight_coefficients(k[:1], kernel_decimals=kernel_decimals)
+        return np.broadcast_to(once, (len(k), *once.shape[1:]))
     kernels = inverse_kernels(k[..., KERNEL_KNOTS], decimals=kernel_decimals)
     return _blended(_monomials(transformations(k)) @ kernels)
 

@@ -381,7 +381,7 @@ _DIFFERENT = ("fig5", "fig6b", "fig6c", "fig6d", "fig8")
 def preset_names(bench: Bench) -> list[str]:
     """Return the names of the presets, as the program lists them."""
     lines = run_program(bench, ["presets"], bench.work).get("stdout", [])
-    return [line.split()[0].removeprefix("paper:") for line in lines]
+    return [line.split()[0].removeprefix("paper:") for line in lines if line.startswith("paper:")]
 
 
 def make_inputs(bench: Bench) -> None:
