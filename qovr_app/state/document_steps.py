@@ -195,7 +195,7 @@ def arrived(state: EditorState, history: History) -> EditorState:
     state = replace(state, history=history, draft=draft, texts=texts)
     if before.windows != after.windows:
         state = fitted(state)
-    if before != after and state.message and state.message.is_refusal:
+    if before != after and state.message and (state.message.is_refusal or state.message.is_of_step):
         state = replace(state, message=None)
     return _surface_shown(state) if state.is_live else state
 

@@ -93,11 +93,13 @@ class DocumentFile:
 
 @dataclass(frozen=True)
 class Message:
-    """One sentence for the message line; a repeated one has another serial."""
+    """One sentence for the message line; a repeated one has another serial. What is said of a step is over with the
+    next one, as a refusal is."""
 
     text: str
     is_refusal: bool = False
     serial: int = 0
+    is_of_step: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -238,7 +240,7 @@ def first_state(
     return EditorState(History.of(document), document, file, display=display, tools=tools or ToolSettings())
 
 
-def with_message(state: EditorState, text: str, *, is_refusal: bool = False) -> EditorState:
+def with_message(state: EditorState, text: str, *, is_refusal: bool = False, is_of_step: bool = False) -> EditorState:
     """Return the state that says one sentence."""
     serial = state.message.serial + 1 if state.message else 1
-    return replace(state, message=Message(text, is_refusal, serial))
+    return replace(state, message=Message(text, is_refusal, serial, is_of_step))

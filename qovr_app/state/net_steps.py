@@ -54,7 +54,8 @@ def window_extracted(state: EditorState, intent: net_intents.WindowExtracted) ->
     rows, columns = ({STEP * at + k: k for k in range(NET_SIZE)} for at in intent.window)
     text = "Extract window {},{}".format(*intent.window)
     state = with_focus(state, intent.window)
-    return with_document(state, text, document, intent, renumbering=Renumbering(rows, columns))
+    after = with_document(state, text, document, intent, renumbering=Renumbering(rows, columns))
+    return with_message(after, "The window is a net of its own, and T is made anew.", is_of_step=True)
 
 
 def joint_smoothed(state: EditorState, intent: net_intents.JointSmoothed) -> EditorState:
@@ -91,20 +92,24 @@ def net_reversed(state: EditorState, intent: net_intents.NetReversed) -> EditorS
         state, text, reverse(document, direction), intent, renumbering=Renumbering(lines[0], lines[1])
     )
     if document.formulation.is_continuous:
-        return with_message(after, f"The same surface runs the other way along {direction.parameter}.")
-    return with_message(after, f"The {document.formulation} surface is another one from the other end.")
+        said = f"The same surface runs the other way along {direction.parameter}."
+    else:
+        said = f"The {document.formulation} surface is another one from the other end."
+    return with_message(after, said, is_of_step=True)
 
 
 def net_transposed(state: EditorState, intent: net_intents.NetTransposed) -> EditorState:
     _check_all_set(state)
     rows, columns = lines_kept(state.document)
     renumbering = Renumbering(rows, columns, is_transposed=True)
-    return with_document(state, "Transpose the net", transpose(state.document), intent, renumbering=renumbering)
+    after = with_document(state, "Transpose the net", transpose(state.document), intent, renumbering=renumbering)
+    return with_message(after, "Rows and columns, u and v have changed places.", is_of_step=True)
 
 
 def net_mirrored(state: EditorState, intent: net_intents.NetMirrored) -> EditorState:
     text = f"Mirror the net in {AXES[intent.axis]}"
-    return with_document(state, text, mirror_in_space(state.document, intent.axis), intent)
+    after = with_document(state, text, mirror_in_space(state.document, intent.axis), intent)
+    return with_message(after, f"The net is its mirror image in {AXES[intent.axis]}.", is_of_step=True)
 
 
 def net_resampled(state: EditorState, intent: net_intents.NetResampled) -> EditorState:
@@ -138,7 +143,7 @@ def _moved(
 ) -> EditorState:
     """Return the state after an edit that moves the surface, and how far it did."""
     after = with_document(state, text, change.document, intent, gesture)
-    return with_message(after, motion_text(change.motion, begun))
+    return with_message(after, motion_text(change.motion, begun), is_of_step=True)
 
 
 def _rebuilt(state: EditorState, text: str, change: NetChange, direction: Direction, intent: Intent) -> EditorState:
@@ -151,7 +156,7 @@ def _rebuilt(state: EditorState, text: str, change: NetChange, direction: Direct
     said = motion_text(change.motion, before)
     if change.document.samples[1 - _axis(direction)] == SAMPLES_RANGE[1]:
         said += f" It has {SAMPLES_RANGE[1]} samples along {direction.parameter}, the most there may be."
-    return with_message(after, said)
+    return with_message(after, said, is_of_step=True)
 
 
 def _joint(intent: net_intents.JointSmoothed | net_intents.JointSharpened | net_intents.JointCreased) -> str:
@@ -160,7 +165,7 @@ def _joint(intent: net_intents.JointSmoothed | net_intents.JointSharpened | net_
 
 def _check_all_set(state: EditorState) -> None:
     """Raise QovrError where numbers wait in fields whose rows and columns would be other ones."""
-    if state.has_pending:
+    if state.has_pending or state.texts:
         raise QovrError("Numbers are typed that are not set; set them, or get the values back, before the net changes")
 
 

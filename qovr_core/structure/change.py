@@ -67,7 +67,7 @@ def motion_between(
     ------
     EvaluationError : coordinates overflow there
     """
-    if not after.formulation.is_continuous:
+    if not after.formulation.is_continuous and max(*before.windows, *after.windows) > 1:
         return None
     sides = (
         _points(document, direction, parts)

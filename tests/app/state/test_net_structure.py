@@ -234,3 +234,26 @@ def test_joints_after_a_crease_are_sharp():
     state = after(net(), net_intents.JointCreased(COLUMNS, 0, 0.3))
     assert state.document.joints.v == (Joint.SHARP,)
     assert replace(state.document.joints, v=()) == replace(net().document.joints, v=())
+
+
+@pytest.mark.parametrize(
+    "step",
+    [
+        intents.Undone(),
+        net_intents.NetTransposed(),
+        net_intents.NetMirrored(2),
+        net_intents.WindowExtracted((0, 0)),
+        intents.PointsMoved(((1, 1),), ((0.0, 0.0, 0.5),), gesture=9),
+    ],
+    ids=lambda step: type(step).__name__,
+)
+def test_what_is_said_of_a_step_is_over_with_the_next(step):
+    smooth = after(net(smooth=0.0), net_intents.JointSmoothed(ROWS, 1))
+    done = after(smooth, step)
+    assert done.message is None or "moves by at most" not in done.message.text
+
+
+def test_one_window_can_be_compared_under_every_formulation():
+    state = after(opened(SHAPES["dome"].document()), intents.FormulationChosen("published"))
+    spaced = after(state, net_intents.KnotsSpaced(ROWS, Spacing.CHORD_LENGTH))
+    assert spaced.message.text.startswith("The surface moves by at most ")
