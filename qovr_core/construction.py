@@ -67,7 +67,7 @@ def curve_network(document: Document) -> CurveNetwork:
         weight_coefficients(knots.array, kernel_decimals=decimals) @ curve_points(points)
         for knots, points in ((document.row_knots, net), (document.column_knots, net.swapaxes(0, 1)))
     )
-    return CurveNetwork(rows, columns)
+    return CurveNetwork(read_only(rows), read_only(columns))
 
 
 def window_rounding(document: Document, base: tuple[Document, Array] | None = None) -> Array:
@@ -201,7 +201,7 @@ def window_degrees(document: Document) -> Indices:
         knots, active = windows_of(knots_of(document, direction)), document.formulation.active_curves(direction)
         s, u = (knots[..., slice(None) if active is None else list(active), KNOT_NAMES.index(name)] for name in "su")
         degrees.append(np.where((s == u).all(axis=-1), 4, 6))
-    return np.stack(degrees, axis=-1)
+    return read_only(np.stack(degrees, axis=-1))
 
 
 def overflow_error(document: Document) -> EvaluationError:

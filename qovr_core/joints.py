@@ -45,8 +45,8 @@ class Joints:
         return self.u if direction is Direction.ROWS else self.v
 
     def smooth(self, direction: Direction) -> Flags:
-        """Return which of them are smooth."""
-        return np.array([joint is Joint.SMOOTH for joint in self.along(direction)], dtype=np.bool_)
+        """Return which of them are smooth, (joints,)."""
+        return read_only(np.array([joint is Joint.SMOOTH for joint in self.along(direction)], dtype=np.bool_))
 
 
 def joint_count(windows: int, is_closed: bool) -> int:
@@ -55,7 +55,7 @@ def joint_count(windows: int, is_closed: bool) -> int:
 
 
 def can_be_smooth(knots: KnotTable, is_closed: bool) -> Flags:
-    """Return at which joints the knots make the surface smooth, whatever the points are.
+    """Return at which joints, (joints,), the knots make the surface smooth, whatever the points are.
 
     All curves share one tau, which is t before the joint and r after it, and they share u in either window: to the
     last bit, so that a file can be checked.
@@ -66,7 +66,7 @@ def can_be_smooth(knots: KnotTable, is_closed: bool) -> Flags:
     shares_tau = ((array[..., _T] == tau) & (after[..., _R] == tau)).all(axis=0)
     shares_u = (array[..., _U] == array[:1, :, _U]).all(axis=0)
     smooth: Flags = shares_tau & shares_u & np.roll(shares_u, -1)
-    return smooth[: joint_count(knots.windows, is_closed)]
+    return read_only(smooth[: joint_count(knots.windows, is_closed)])
 
 
 def smooth_where_possible(rows: KnotTable, columns: KnotTable, closed: Sequence[str]) -> Joints:

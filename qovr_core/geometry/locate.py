@@ -96,7 +96,7 @@ def of_grid(u: Parameters, v: Parameters, breakpoints: tuple[Array, Array]) -> t
 
 
 def spread(samples: int, windows: int) -> Indices:
-    """Return how many of the intervals between samples fall to each window: nearly equal, the larger counts first.
+    """Return how many of the intervals between samples fall to each window, (windows,): nearly equal, larger first.
 
     Examples
     --------
@@ -106,7 +106,7 @@ def spread(samples: int, windows: int) -> Indices:
     each, more = divmod(samples - 1, windows)
     intervals = np.full(windows, each, dtype=np.intp)
     intervals[:more] += 1
-    return intervals
+    return read_only(intervals)
 
 
 def even(intervals: Indices, *, from_both_sides: bool = False) -> Located:
@@ -119,4 +119,4 @@ def even(intervals: Indices, *, from_both_sides: bool = False) -> Located:
     if not from_both_sides:
         local[:-1] = [places[:-1] for places in local[:-1]]
     window = np.repeat(np.arange(len(intervals)), [len(places) for places in local])
-    return Located(window, read_only(np.concatenate(local)), np.ones(len(intervals)))
+    return Located(*map(read_only, (window, np.concatenate(local), np.ones(len(intervals)))))

@@ -45,7 +45,8 @@ def cells_of(degree: int, intervals: int) -> Cells:
     size = leaf * PARTS**cuts
     starts = np.linspace(0, intervals - size, -(-intervals // size)).round().astype(np.intp)
     ends = [(start / intervals, (start + size) / intervals) for start in starts.tolist()]
-    return Cells(np.stack([bernstein.restriction(degree, *end) for end in ends]), starts, leaf, cuts)
+    restrictions = np.stack([bernstein.restriction(degree, *end) for end in ends])
+    return Cells(read_only(restrictions), read_only(starts), leaf, cuts)
 
 
 @lru_cache(maxsize=8)

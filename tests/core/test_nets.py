@@ -94,6 +94,13 @@ def test_a_closed_net_meets_itself(along):
     assert moved.control_points[i, j].tolist() == [1, 2, 3]
 
 
+def test_nothing_that_is_handed_out_of_a_net_can_be_written_to():
+    document = random_net_document(1, (2, 3))
+    network = Evaluation(document).network
+    arrays = [*document.intervals, network.rows, network.columns, document.joints.smooth(Direction.ROWS)]
+    assert not any(array.flags.writeable for array in arrays)
+
+
 def test_samples_are_shared_out_over_the_windows():
     document = random_net_document(3, (2, 3), samples=(12, 6))
     evaluation = Evaluation(document)
