@@ -23,6 +23,9 @@ MIRRORS = {Direction.ROWS: ROWS_MIRROR, Direction.COLUMNS: COLUMNS_MIRROR}
 _REVERSED = {"r": "t", "s": "s", "u": "u", "t": "r"}
 """Which knot takes the place of which where a curve runs the other way; its value is 1 minus the other's."""
 
+OTHER_END = [KNOT_NAMES.index(_REVERSED[name]) for name in KNOT_NAMES]
+"""The same by their places in ``KNOT_NAMES``."""
+
 _KNOT_SIDES = np.array([-1, 0, 0, 1])
 """Which knots of a curve, in the order of ``KNOT_NAMES``, lie on its first side, in the middle, on its last side."""
 
@@ -63,7 +66,7 @@ def make_symmetric(document: Document, across: Direction, source: Source, mirror
 
 def reversed_knots(knots: Array) -> Array:
     """Return knots (curves, windows, 4) as they are where the curves run the other way: (1-t, 1-s, 1-u, 1-r)."""
-    reverse: Array = 1 - knots[:, ::-1, [KNOT_NAMES.index(_REVERSED[name]) for name in KNOT_NAMES]]
+    reverse: Array = 1 - knots[:, ::-1, OTHER_END]
     return reverse
 
 

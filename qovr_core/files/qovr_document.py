@@ -82,7 +82,7 @@ def document_to_json(document: Document) -> str:
     rows, columns = (_knot_lines(knots_of(document, direction), direction, is_net) for direction in Direction)
     texts = {
         "format": json.dumps(FORMAT),
-        "version": json.dumps(2 if is_net else 1),
+        "version": json.dumps(VERSION if is_net else 1),
         "formulation": json.dumps(str(document.formulation)),
         "samples": json.dumps(list(document.samples)),
         "control_points": _lines([json.dumps(row) for row in document.control_points.tolist()]),

@@ -15,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from qovr_core.geometry.weights import CURVE_DEGREE
 from qovr_core.laboratory import exact
 from qovr_core.laboratory.exact import Exact
 
@@ -27,8 +28,6 @@ PARABOLA_DEGREES = (3, 4)
 u r(u), u (1-u) s(u) and (1-u) t(u) are of degree 1 in k, and of degree 1, 2 and 1 in u_ip. Squared, and times
 k (1-k) M^-1, whose rows for x^2, x and 1 are of degree 1, 2 and 2 in k, they are of degree 3 in k, and with what else
 there is of D of degree 4 in u_ip."""
-
-_CURVE_DEGREE = 6
 
 _ENDS = ((0, 1, 0, 0, 0), (0, 0, 0, 1, 0))
 
@@ -79,7 +78,7 @@ def kernels_invert() -> bool:
 @cache
 def weights_sum_to_one() -> bool:
     """b_0 + ... + b_4 = 1."""
-    one = [1] + [0] * _CURVE_DEGREE
+    one = [1] + [0] * CURVE_DEGREE
     return vanishes_for_all_curves(lambda *knots: exact.weights(*knots).sum(axis=1) - one)
 
 
@@ -90,7 +89,7 @@ def unit_rows_sum_to_one() -> bool:
     Only w_p is left of w_p [x^2 x 1] (0, 0, 1)^T, which is of degree 0 in the knots; with u (1-u) as D for the others
     it is of degree 1 and 2.
     """
-    one = [1] + [0] * _CURVE_DEGREE
+    one = [1] + [0] * CURVE_DEGREE
 
     def excess(own: Fraction, middle: Fraction) -> Any:
         sums = [exact.monomials(p, own, middle) @ [0, 0, 1] for p in range(exact.PARABOLAS)]
@@ -107,7 +106,7 @@ def quartic_where_s_is_u() -> bool:
     squares count. Sums of such curves, and their products with what depends on v alone, are of degree four in u; the
     mean of knots with s_ip = u_ip is of that kind too.
     """
-    high = slice(_CURVE_DEGREE - 1, None)
+    high = slice(CURVE_DEGREE - 1, None)
     outer = (vanishes(lambda own, u, p=p: exact.monomials(p, own, u)[high], 2, 2) for p in (0, 2))
     return all(outer) and vanishes(lambda u: exact.monomials(1, u, u)[high], 4)
 

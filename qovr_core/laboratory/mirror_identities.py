@@ -12,12 +12,11 @@ from functools import cache
 
 import numpy as np
 
+from qovr_core.geometry.weights import CURVE_DEGREE
+from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.laboratory import exact
 from qovr_core.laboratory.exact import Exact
 from qovr_core.laboratory.identities import vanishes
-
-_NET_SIZE = 5
-_CURVE_DEGREE = 6
 
 _FLIPS = ((False, True), (True, False), (True, True))
 """Mirror in u, mirror in v, half a turn: whether a symmetry reverses the rows (v), and the columns (u)."""
@@ -26,19 +25,19 @@ _FLIPS = ((False, True), (True, False), (True, True))
 @cache
 def half_weights_mirror() -> bool:
     """With 0.5 knots b_j(1 - u) = b_{4-j}(u)."""
-    return vanishes(lambda u: _half_weights(1 - u) - _half_weights(u)[::-1], _CURVE_DEGREE)
+    return vanishes(lambda u: _half_weights(1 - u) - _half_weights(u)[::-1], CURVE_DEGREE)
 
 
 @cache
 def sums_mirror() -> bool:
     """With 0.5 knots (sum_i C_i) (sum_j K_j) of a symmetric net over a rectangle is symmetric."""
-    return all(_product_mirrors(range(_NET_SIZE), rows, columns) for rows, columns in _FLIPS)
+    return all(_product_mirrors(range(NET_SIZE), rows, columns) for rows, columns in _FLIPS)
 
 
 @cache
 def last_row_mirrors() -> bool:
     """With 0.5 knots C_4 sum_j K_j of a symmetric net whose last row is symmetric is symmetric."""
-    return all(_product_mirrors((_NET_SIZE - 1,), rows, columns) for rows, columns in _FLIPS)
+    return all(_product_mirrors((NET_SIZE - 1,), rows, columns) for rows, columns in _FLIPS)
 
 
 def _product_mirrors(entering: Sequence[int], rows: bool, columns: bool) -> bool:
@@ -60,10 +59,10 @@ def _product_mirrors(entering: Sequence[int], rows: bool, columns: bool) -> bool
 
 def _heights(rows: bool, columns: bool, *, is_last_mirrored: bool) -> Exact:
     """Return unit nets (25, 5, 5) for the heights under a symmetry, if asked with symmetric outer rows."""
-    nets: Exact = np.eye(_NET_SIZE**2, dtype=int).astype(object).reshape(-1, _NET_SIZE, _NET_SIZE)
+    nets: Exact = np.eye(NET_SIZE**2, dtype=int).astype(object).reshape(-1, NET_SIZE, NET_SIZE)
     nets = nets + nets[:, :: -1 if rows else 1, :: -1 if columns else 1]
     if is_last_mirrored and columns:
-        outer = [0, _NET_SIZE - 1]
+        outer = [0, NET_SIZE - 1]
         nets[:, outer] = nets[:, outer] + nets[:, outer, ::-1]
     return nets
 
@@ -71,7 +70,7 @@ def _heights(rows: bool, columns: bool, *, is_last_mirrored: bool) -> Exact:
 def _spread() -> Exact:
     """Return unit nets (3, 5, 5) of a coordinate that is one number a column, evenly about a middle."""
     lines = [[1, 1, 1, 1, 1], [-1, 0, 0, 0, 1], [0, -1, 0, 1, 0]]
-    return np.repeat(np.array(lines, dtype=object)[:, None], _NET_SIZE, axis=1)
+    return np.repeat(np.array(lines, dtype=object)[:, None], NET_SIZE, axis=1)
 
 
 @cache
@@ -95,13 +94,13 @@ def _along_v(nets: Exact) -> Sums:
 
 def _keeps(sums: Sums) -> bool:
     """Return whether polynomials of degree 6 are the same from the other end."""
-    return vanishes(lambda u: sums(1 - u) - sums(u), _CURVE_DEGREE)
+    return vanishes(lambda u: sums(1 - u) - sums(u), CURVE_DEGREE)
 
 
 def _turns(sums: Sums) -> bool:
     middle = sums(Fraction(0)) + sums(Fraction(1))
-    return vanishes(lambda u: sums(1 - u) + sums(u) - middle, _CURVE_DEGREE)
+    return vanishes(lambda u: sums(1 - u) + sums(u) - middle, CURVE_DEGREE)
 
 
 def _is_constant(sums: Sums) -> bool:
-    return vanishes(lambda u: sums(u) - sums(Fraction(0)), _CURVE_DEGREE)
+    return vanishes(lambda u: sums(u) - sums(Fraction(0)), CURVE_DEGREE)

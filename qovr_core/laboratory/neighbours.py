@@ -8,7 +8,7 @@ from enum import StrEnum
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.construction import build_patch, document_arrays
+from qovr_core.construction import build_patch, window_rounding
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.geometry.knots import Direction, KnotTable
@@ -103,7 +103,7 @@ def document_sides(document: Document) -> tuple[Sides, ...]:
 
 def _surface(document: Document) -> tuple[Patch, Array]:
     """Return a document's surface, and what is rounding in each of its windows, (m, n, 3)."""
-    return build_patch(document), document.formulation.rounding(*document_arrays(document))
+    return build_patch(document), window_rounding(document)
 
 
 def _crossing(patch: Patch, rounding: Array, direction: Direction) -> tuple[Array, Array]:

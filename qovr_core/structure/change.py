@@ -19,7 +19,8 @@ from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 from qovr_core.geometry.windows import window_count
 from qovr_core.joints import joint_count
 
-MOST_WINDOWS = window_count(MOST_POINTS)
+FEWEST_WHERE_CLOSED, MOST_WINDOWS = 2, window_count(MOST_POINTS)
+"""Windows along the curves of a direction: a net that closes there has two or more, and none has more than the most."""
 
 _INTERVALS = 16
 

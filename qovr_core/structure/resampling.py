@@ -16,9 +16,14 @@ from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.knots import Direction
 from qovr_core.geometry.nodes import knots_of_steps
 from qovr_core.geometry.windows import STEP
-from qovr_core.structure.change import MOST_WINDOWS, PLACES, NetChange, by_windows, largest_distance
-
-_FEWEST_WHERE_CLOSED = 2
+from qovr_core.structure.change import (
+    FEWEST_WHERE_CLOSED,
+    MOST_WINDOWS,
+    PLACES,
+    NetChange,
+    by_windows,
+    largest_distance,
+)
 
 
 def resample(
@@ -69,12 +74,13 @@ def resample(
             at = np.asarray(nodes[k], dtype=np.float64)
             along.append(_Nodes(at, np.diff(at), is_closed))
     u, v = along
+    net = _net(surface, u, v)
     knots_u, knots_v = (
-        np.broadcast_to(knots, (STEP * across + 3, *knots.shape))
-        for knots, across in ((knots_of_steps(u.steps), windows[0]), (knots_of_steps(v.steps), windows[1]))
+        np.broadcast_to(knots, (curves, *knots.shape))
+        for knots, curves in zip(map(knots_of_steps, (u.steps, v.steps)), net.shape[:2], strict=True)
     )
     enough = [max(count, least + 1) for count, least in zip(samples, reversed(windows), strict=True)]
-    document = Document(_net(surface, u, v), knots_u, knots_v, Formulation.INTERPOLATING, enough, closed=closed)
+    document = Document(net, knots_u, knots_v, Formulation.INTERPOLATING, enough, closed=closed)
     met = by_windows(build_patch(document)).points(*(each.places_in_windows for each in along))
     return NetChange(document, largest_distance(met, surface.points(*(each.places for each in along))), None)
 
@@ -134,7 +140,7 @@ def _net(surface: ParametricSurface, u: _Nodes, v: _Nodes) -> Array:
 
 
 def _check_count(count: int, direction: Direction, *, is_closed: bool) -> None:
-    fewest = _FEWEST_WHERE_CLOSED if is_closed else 1
+    fewest = FEWEST_WHERE_CLOSED if is_closed else 1
     if not fewest <= count <= MOST_WINDOWS:
         raise QovrError(
             f"{count} windows along {direction.parameter} are no net; expected {fewest} to {MOST_WINDOWS} of them"

@@ -6,12 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from qovr_core.document import Document
-from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotTable
+from qovr_core.geometry.knots import Direction, KnotTable
 from qovr_core.joints import Joints
-from qovr_core.symmetry import reversed_knots
-
-_OTHER_END = [KNOT_NAMES.index(name) for name in "tsur"]
-"""Which knot of a curve stands where another does, seen from its other end."""
+from qovr_core.symmetry import OTHER_END, reversed_knots
 
 
 def transpose(document: Document) -> Document:
@@ -53,7 +50,7 @@ def from_the_end(document: Document) -> Document:
     return replace(
         document,
         control_points=document.control_points[:, ::-1],
-        row_knots=KnotTable(document.row_knots.array[:, ::-1, _OTHER_END]),
+        row_knots=KnotTable(document.row_knots.array[:, ::-1, OTHER_END]),
         column_knots=KnotTable(document.column_knots.array[::-1]),
         joints=replace(document.joints, u=joints[:inner][::-1] + joints[inner:]),
     )

@@ -9,6 +9,7 @@ import numpy as np
 
 from qovr_core.arrays import Array, read_only
 from qovr_core.document import Document
+from qovr_core.edits import knots_of
 from qovr_core.errors import QovrError
 from qovr_core.geometry import bernstein
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotTable
@@ -16,6 +17,7 @@ from qovr_core.geometry.weights import CURVE_DEGREE, weight_coefficients
 from qovr_core.geometry.windows import NET_SIZE, STEP
 from qovr_core.joints import Joint, can_be_smooth
 from qovr_core.structure.change import (
+    FEWEST_WHERE_CLOSED,
     NetChange,
     check_continuous,
     check_joint,
@@ -56,8 +58,7 @@ def remove_pair(document: Document, direction: Direction, joint: int) -> NetChan
     QovrError : there is no such joint, or it would leave a closed net of one window
     """
     check_joint(document, direction, joint)
-    windows = document.windows[1 if direction is Direction.ROWS else 0]
-    if document.is_closed(direction) and windows == STEP:
+    if document.is_closed(direction) and knots_of(document, direction).windows == FEWEST_WHERE_CLOSED:
         raise QovrError(f"The net closes along {direction.parameter} with two windows; insert one before removing one")
     return _along_rows(document, direction, lambda rows: _removed(rows, joint))
 

@@ -14,9 +14,8 @@ from qovr_core.edits import knots_of
 from qovr_core.formulations import Formulation
 from qovr_core.geometry.knots import Direction
 from qovr_core.geometry.nodes import Spacing
-from qovr_core.geometry.windows import STEP
 from qovr_core.joints import Joint
-from qovr_core.structure.change import MOST_WINDOWS
+from qovr_core.structure.change import FEWEST_WHERE_CLOSED, MOST_WINDOWS
 
 _NET, _APPEND, _WINDOW = "&Net", "&Net/&Append a window", "&Net/&Window in focus"
 _JOINT, _KNOTS, _TURN = "&Net/&Joint after it", "&Net/&Knots by nodes", "&Net/&Turn"
@@ -107,7 +106,10 @@ def _of_window(direction: Direction) -> list[Command]:
             tip="Remove two lines of points: what splitting a window inserted",
             is_enabled=lambda state: (
                 _has_joint(state, direction)
-                and not (state.document.is_closed(direction) and knots_of(state.document, direction).windows == STEP)
+                and not (
+                    state.document.is_closed(direction)
+                    and knots_of(state.document, direction).windows == FEWEST_WHERE_CLOSED
+                )
             ),
             needs=f"Bring a window with another one after it along {letter} into focus; a closed net keeps two",
         ),
