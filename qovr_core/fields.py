@@ -185,7 +185,7 @@ def field_values(
     Parameters
     ----------
     surface : the surface; signs of curvatures belong to its normal S_u x S_v
-    u, v : (n,) and (m,) parameters in [0, 1]
+    u, v : (n,) and (m,) parameters in the surface's domain
     beside : what the field ``needs``; without meaning for a field that needs nothing
 
     Returns

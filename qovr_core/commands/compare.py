@@ -26,7 +26,7 @@ def add_command(commands: Any) -> None:
         type=_point,
         metavar="I,J",
         default=DEFAULT_POINT,
-        help="the control point that moves, row and column from 0 to 4 (default: {},{})".format(*DEFAULT_POINT),
+        help="the control point of the window that moves, I and J from 0 to 4 (default: {},{})".format(*DEFAULT_POINT),
     )
     command.add_argument(
         "--weight",

@@ -25,13 +25,14 @@ _BESIDE = 1.5
 _NEIGHBOURS = 16
 """Nearest samples asked for: enough that the other sheets which pass as near as the first show among them."""
 
-_WINDOW = read_only(np.stack(np.meshgrid(*[np.linspace(-1.0, 1.0, 9)] * 2), axis=-1).reshape(-1, 2))
+_AROUND = read_only(np.stack(np.meshgrid(*[np.linspace(-1.0, 1.0, 9)] * 2), axis=-1).reshape(-1, 2))
 _FINER = 4
-"""Where a tangent vanishes, a foot is looked for among 9 x 9 places around it, and again around the best of them in a
-window so many times smaller."""
+"""Where a tangent vanishes, a foot is looked for among 9 x 9 places around it, and again around the best of them so
+many times closer."""
 
-_WINDOWS = 4
-"""The last of four windows is 1e-4 wide: along a tangent that vanishes that moves a point by about its square."""
+_ROUNDS = 4
+"""In the last of four the places are a 170th of a cell apart: along a tangent that vanishes that moves a point by about
+its square."""
 
 _LAST_STEP = 1e-8
 """A step shorter than this part of the surface's size leaves an error of about its square, which is rounding."""
@@ -159,8 +160,8 @@ def _look_around(surface: ParametricSurface, seeds: _Seeds, targets: Array, best
     rows = np.flatnonzero(seeds.is_singular[seeds.nearest_to(best.at)])
     at, width = best.at[rows], _BESIDE * seeds.cell
     low, high = np.array(surface.domain).T
-    for _ in range(_WINDOWS if rows.size else 0):
-        tried = np.clip(at[:, None] + width * _WINDOW, low, high)
+    for _ in range(_ROUNDS if rows.size else 0):
+        tried = np.clip(at[:, None] + width * _AROUND, low, high)
         points = surface.derivative_at(tried[..., 0].ravel(), tried[..., 1].ravel(), 0, 0).reshape(*tried.shape[:2], 3)
         nearest = np.linalg.norm(points - targets[rows, None], axis=2).argmin(axis=1)
         at, width = tried[np.arange(len(rows)), nearest], width / _FINER

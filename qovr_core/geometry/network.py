@@ -1,4 +1,4 @@
-"""The ten curves of a net, the two ways in which they become one surface, and how both answer to one knot."""
+"""The curves of a window, the two ways in which they become one surface, and how both answer to one knot."""
 
 from __future__ import annotations
 

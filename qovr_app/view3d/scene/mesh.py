@@ -23,8 +23,7 @@ parameters of one window, which are longer where there are many."""
 
 @lru_cache(maxsize=64)
 def _bases(count: int) -> tuple[FloatArray, FloatArray]:
-    """Return the Bernstein polynomials and their derivatives at ``count`` even parameters, each (count,
-    7)."""
+    """Return the Bernstein polynomials and their derivatives at ``count`` even parameters, each (count, 7)."""
     t = np.linspace(0.0, 1.0, count)
     values = basis(PATCH_DEGREE, t)
     lower = PATCH_DEGREE * basis(PATCH_DEGREE - 1, t)

@@ -213,8 +213,7 @@ class Scene:
 
 
 def mapped_box(box: Array, matrix: Array) -> Array:
-    """Return a box (3, 2) mapped by a (4, 4) matrix that scales each axis by a positive factor and moves
-    it."""
+    """Return a box (3, 2) mapped by a (4, 4) matrix that scales each axis by a positive factor and moves it."""
     return matrix[:3, :3].diagonal()[:, None] * box + matrix[:3, 3:]
 
 
