@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import TypeGuard
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -55,6 +55,19 @@ def described(value: object) -> str:
     except ValueError:  # an integer with more digits than Python agrees to print
         return "an absurdly long number"
     return one_line(text, LONGEST_QUOTE)
+
+
+def entries(value: object, place: str, count: int | None = None, expected: str = "a list") -> Sequence[Any]:
+    """Return a list of entries, of exactly ``count`` where that is given, or raise DocumentError."""
+    expected = expected if count is None else f"a list of {count} entries"
+    if isinstance(value, np.ndarray):
+        value = list(value)
+    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
+        raise DocumentError(place, described(value), expected)
+    result = list(value)
+    if count is not None and len(result) != count:
+        raise DocumentError(place, described(result), expected)
+    return result
 
 
 def checked_number(value: object, place: str) -> float:

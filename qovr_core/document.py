@@ -13,14 +13,14 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, Indices, read_only
-from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples, plain_numbers
+from qovr_core.checks import LARGEST_MAGNITUDE, checked_choice, checked_number, checked_samples, entries, plain_numbers
 from qovr_core.errors import DocumentError
 from qovr_core.formulations import FORMULATIONS, Formulation
 from qovr_core.geometry.knots import Direction, Knots, KnotTable
 from qovr_core.geometry.locate import spread
 from qovr_core.geometry.windows import NET_SIZE, window_count
 from qovr_core.joints import Joints, checked_closed, checked_joints, smooth_where_possible
-from qovr_core.knot_input import KnotsLike, checked_knots, entries
+from qovr_core.knot_input import KnotsLike, checked_knots
 
 MOST_POINTS = 203
 """Rows, and columns, of the largest net: 100 windows each way."""

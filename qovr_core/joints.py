@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
 import numpy as np
 
 from qovr_core.arrays import Array, Flags, read_only
-from qovr_core.checks import checked_choice, described
+from qovr_core.checks import checked_choice, entries
 from qovr_core.errors import DocumentError
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotTable
 
@@ -106,12 +106,11 @@ def window_lengths(knots: KnotTable, joints: Sequence[Joint]) -> Array:
 def checked_closed(closed: object) -> tuple[str, ...]:
     """Return the directions in which a net is closed, of ``u`` and ``v``, in this order, or raise DocumentError."""
     letters = [direction.parameter for direction in Direction]
-    if isinstance(closed, (str, bytes, dict)) or not isinstance(closed, Iterable):
-        raise DocumentError("closed", described(closed), "a list of u, v or both")
-    entries = [checked_choice(entry, f"closed[{k}]", letters) for k, entry in enumerate(closed)]
-    if len(set(entries)) < len(entries):
+    given = entries(closed, "closed", expected="a list of u, v or both")
+    chosen = [checked_choice(entry, f"closed[{k}]", letters) for k, entry in enumerate(given)]
+    if len(set(chosen)) < len(chosen):
         raise DocumentError("closed", "a list with an entry twice", "u, v or both, each once")
-    return tuple(letter for letter in letters if letter in entries)
+    return tuple(letter for letter in letters if letter in chosen)
 
 
 def checked_joints(joints: Joints, rows: KnotTable, columns: KnotTable, closed: Sequence[str]) -> Joints:
@@ -119,17 +118,15 @@ def checked_joints(joints: Joints, rows: KnotTable, columns: KnotTable, closed: 
     checked = []
     for direction, knots in ((Direction.ROWS, rows), (Direction.COLUMNS, columns)):
         place = f"joints.{direction.parameter}"
-        entries = [
+        states = [
             entry if isinstance(entry, Joint) else Joint(checked_choice(entry, f"{place}[{k}]", list(Joint)))
             for k, entry in enumerate(joints.along(direction))
         ]
         can_be = can_be_smooth(knots, direction.parameter in closed)
-        if len(entries) != len(can_be):
-            raise DocumentError(place, f"a list of {len(entries)} entries", f"a list of {len(can_be)} entries")
-        for k, (joint, can) in enumerate(zip(entries, can_be, strict=True)):
+        for k, (joint, can) in enumerate(zip(entries(states, place, len(can_be)), can_be, strict=True)):
             if joint is Joint.SMOOTH and not can:
                 raise DocumentError(f"{place}[{k}]", str(joint), f"sharp, or {_what_makes_smooth(knots, k, direction)}")
-        checked.append(tuple(entries))
+        checked.append(tuple(states))
     return Joints(*checked)
 
 

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.checks import checked_knot, described
+from qovr_core.checks import checked_knot, described, entries
 from qovr_core.errors import DocumentError
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, Knots, KnotTable
 
@@ -41,19 +41,6 @@ def checked_knots(knots: KnotsLike, direction: Direction, curves: int, windows: 
         place = KnotPlace(direction, int(curve), KNOT_NAMES[number], int(window))
         checked_knot(array[curve, window, number].item(), place.text(windows))
     return knots if isinstance(knots, KnotTable) else KnotTable(array)
-
-
-def entries(value: object, place: str, count: int | None = None, expected: str = "a list") -> Sequence[Any]:
-    """Return a list of entries, of exactly ``count`` where that is given, or raise DocumentError."""
-    expected = expected if count is None else f"a list of {count} entries"
-    if isinstance(value, np.ndarray):
-        value = list(value)
-    if isinstance(value, (str, bytes, dict)) or not isinstance(value, Iterable):
-        raise DocumentError(place, described(value), expected)
-    result = list(value)
-    if count is not None and len(result) != count:
-        raise DocumentError(place, described(result), expected)
-    return result
 
 
 def _of_entries(knots: object, direction: Direction, curves: int, windows: int) -> KnotTable:

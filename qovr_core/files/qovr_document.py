@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from qovr_core.arrays import Array
-from qovr_core.checks import Verbatim, checked_knot, described, plain_numbers
+from qovr_core.checks import Verbatim, checked_knot, described, entries, plain_numbers
 from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import DocumentError, quoted
@@ -22,7 +22,6 @@ from qovr_core.files.reading import reading
 from qovr_core.geometry.knots import Direction, Knots, KnotTable
 from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.joints import Joints
-from qovr_core.knot_input import entries
 
 FORMAT = "qovr-document"
 VERSION = 2
