@@ -16,6 +16,7 @@ from qovr_core import QovrError
 from qovr_core.checks import checked_number
 from qovr_core.document import Window
 from qovr_core.structure.change import MOST_WINDOWS
+from qovr_core.structure.joints import STRONGEST_CREASE
 
 _FIRST_CREASE = 0.2
 _STEP = 0.05
@@ -66,7 +67,7 @@ class CreaseDialog(NetDialog):
         )
         self._field.show_value(_FIRST_CREASE)
         self._field.textChanged.connect(self._check)
-        self._insert("&From 0 to 0.45", self._field)
+        self._insert(f"&From 0 to {STRONGEST_CREASE}", self._field)
         self._field.setFocus()
         self._field.selectAll()
 

@@ -19,6 +19,7 @@ from qovr_app.widgets.parts import named
 from qovr_app.zones.net_facts import joint_before, joints_text, net_text, points_text
 from qovr_core import Document
 from qovr_core.document import Window
+from qovr_core.edits import knots_of
 from qovr_core.geometry.knots import Direction
 from qovr_core.joints import Joint
 
@@ -165,7 +166,7 @@ class NetMap(QWidget):
     def _paint_joints(self, painter: QPainter, direction: Direction, *, are_sharp: bool) -> None:
         """Draw the sharp joints, or all others and the ends of the net, dashed where it is closed."""
         theme, document, first = theme_in_force(), self._document, self.cell((0, 0))
-        count = document.windows[direction is Direction.ROWS]
+        count = knots_of(document, direction).windows
         size = min(first.width(), first.height())
         for k in range(count + 1):
             joint = joint_before(document, direction, k % count)

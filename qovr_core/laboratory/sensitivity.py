@@ -27,8 +27,8 @@ def knot_sensitivity(evaluation: Evaluation, place: KnotPlace, layer: Layer) -> 
     The raw surface's is the formulation's own (``Formulation.knot_slope``): exact, but for a record that does not know
     its slope. For the transformed layer T follows: it depends on the samples at which the raw box is attained. Where
     several attain it together, its slope is one thing for a rising and another for a falling knot, and the mean of
-    the two is taken. A knot without effect has the derivative zero, and so has a raw surface in windows that are not
-    the knot's own: those along its curve's window that the curve is in.
+    the two is taken. A knot without effect has the derivative zero, and so has a raw surface in all windows but
+    those at the knot's window along its curve that hold the curve.
 
     Parameters
     ----------

@@ -8,8 +8,9 @@ from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
+from qovr_core.edits import knots_of
 from qovr_core.geometry.knots import Direction, KnotPlace
-from qovr_core.geometry.windows import STEP, window_count
+from qovr_core.geometry.windows import STEP
 
 _LINE_REACH = 5.0
 """Logical pixels beside a line that belong to it."""
@@ -35,7 +36,7 @@ def curve_under(picture: Picture, size: Size, x: float, y: float) -> KnotPlace |
         away = _away(at, seen[:, :-1], seen[:, 1:])
         if away.min() < nearest:
             number, piece = np.unravel_index(int(np.argmin(away)), away.shape)
-            windows = window_count(scene.net_shape[direction is Direction.ROWS])
+            windows = knots_of(scene.document, direction).windows
             window = _window_of_piece(int(piece), away.shape[1], windows, is_net=is_net)
             nearest, found = float(away.min()), KnotPlace(direction, int(number), _FIRST_KNOT, window)
     return found
