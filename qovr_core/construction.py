@@ -135,7 +135,7 @@ def build_patch(document: Document, base: tuple[Document, Patch] | None = None) 
 def _all_windows(document: Document) -> Array:
     """Return the coefficients of all windows, (m, n, 7, 7, 3); curves that windows share are computed once."""
     arrays, join = document_arrays(document), document.formulation.join
-    if join is None or document.windows == (1, 1):
+    if join is None or document.is_one_window:
         return _by_rows(document.formulation.build, arrays)
     network = curve_network(document)
     return _by_rows(join, (*arrays, curve_windows(network.rows), curve_windows(network.columns).swapaxes(0, 1)))

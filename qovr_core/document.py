@@ -117,6 +117,11 @@ class Document:
         return self.column_knots.windows, self.row_knots.windows
 
     @property
+    def is_one_window(self) -> bool:
+        """Whether the net is the paper's, of 5 x 5 points."""
+        return self.windows == (1, 1)
+
+    @property
     def intervals(self) -> tuple[Indices, Indices]:
         """The intervals between samples that fall to each window along u, (n,), and along v, (m,)."""
         (m, n), samples = self.windows, self.samples

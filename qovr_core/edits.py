@@ -205,7 +205,7 @@ def extract_window(document: Document, window: Window) -> Document:
     DocumentError : there is no such window
     """
     check_window(document, window)
-    if document.windows == (1, 1):
+    if document.is_one_window:
         return document
     (m, n), (a, b) = document.windows, window
     rows, columns = slice(STEP * a, STEP * a + NET_SIZE), slice(STEP * b, STEP * b + NET_SIZE)

@@ -48,7 +48,7 @@ class ExportChoices(QWidget):
         guard_from_wheels(self._part)
         self._part.addItems(["the whole net", "window {},{} alone".format(*window)])
         self._part.setToolTip("One window is a surface of its own: T is made anew from its boxes.")
-        self._is_net = document.windows != (1, 1)
+        self._is_net = not document.is_one_window
         self._keeps = self._text("export.keeps")
         self._loses = self._text("export.loses")
         self._layer = named(QComboBox(self), "export.layer", "Which surface")

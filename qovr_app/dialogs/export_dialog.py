@@ -151,7 +151,7 @@ class ExportDialog(WritingDialog):
         try:
             self._formats.entry.check(self._whole, self.path or Path(f"surface{self._formats.entry.suffix}"))
         except QovrError:
-            return self._whole.windows == (1, 1)
+            return self._whole.is_one_window
         return True
 
     def _refusal(self, path: Path | None) -> str:

@@ -151,7 +151,7 @@ class ClaimsPanel(WorkingPanel):
 
     def _about_net(self) -> str:
         """Return where the claims were measured, on a net of several windows."""
-        if self._document is None or self._document.windows == (1, 1):
+        if self._document is None or self._document.is_one_window:
             return ""
         return ": about neighbours at every joint, others on window ({}, {})".format(*self._window)
 

@@ -99,7 +99,7 @@ def places_in(zone: Zone, window: Window) -> list[Place]:
 def focused_document(state: EditorState) -> Document | None:
     """Return what is shown of the window in focus, as a document of its own; the same object while it is the same."""
     shown = state.shown_document
-    return shown if shown is None or shown.windows == (1, 1) else _alone(shown, window_shown(state))
+    return shown if shown is None or shown.is_one_window else _alone(shown, window_shown(state))
 
 
 def window_shown(state: EditorState) -> Window:
@@ -130,8 +130,7 @@ def measured_in_window(state: EditorState) -> NetIndex:
 
 def is_net(state: EditorState) -> bool:
     """Return whether the document has more windows than one."""
-    m, n = state.document.windows
-    return m * n > 1
+    return not state.document.is_one_window
 
 
 def beside(state: EditorState, step: Window) -> Window | None:

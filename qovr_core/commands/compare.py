@@ -47,7 +47,7 @@ def _compare(arguments: argparse.Namespace) -> int:
         comparison = compare(
             document, arguments.point, arguments.weight, lambda _name, _measures: progress(next(known) / len(names))
         )
-    is_part = net.windows != (1, 1)
+    is_part = not net.is_one_window
     if arguments.json:
         print_json({**({"window": list(arguments.window)} if is_part else {}), **comparison_facts(comparison)})
     else:

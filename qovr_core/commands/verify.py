@@ -42,7 +42,7 @@ def _verify(arguments: argparse.Namespace) -> int:
     document, decided, known = read_source(arguments.source), len(CLAIMS) * len(FORMULATIONS), count(1)
     with progress_bar("verify") as progress:
         findings = verify(document, arguments.window, lambda _finding: progress(next(known) / decided))
-    is_net = document.windows != (1, 1)
+    is_net = not document.is_one_window
     if arguments.counterexamples is not None:
         _write_documents(findings, arguments.counterexamples)
     if arguments.json:

@@ -31,7 +31,7 @@ def surface_arrays(evaluation: Evaluation) -> dict[str, Any]:
     has the windows' lengths besides, which of its joints are smooth, and whether it is closed along u and along v.
     """
     document = evaluation.document
-    is_net = document.windows != (1, 1)
+    is_net = not document.is_one_window
     return {
         "control_points": document.control_points,
         "row_knots": document.row_knots.array if is_net else document.row_knots.array[:, 0],

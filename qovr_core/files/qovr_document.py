@@ -77,7 +77,7 @@ QOVR = Format(
 
 def document_to_json(document: Document) -> str:
     """Return the text of a ``.qovr`` file; every number reads back as itself."""
-    is_net = document.windows != (1, 1)
+    is_net = not document.is_one_window
     rows, columns = (_knot_lines(knots_of(document, direction), direction, is_net) for direction in Direction)
     texts = {
         "format": json.dumps(FORMAT),

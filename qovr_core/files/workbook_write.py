@@ -54,7 +54,7 @@ def check_workbook_size(document: Document, path: Path) -> None:
     ------
     FileError : the net has more windows than one, or a sheet cannot hold the samples
     """
-    if document.windows != (1, 1):
+    if not document.is_one_window:
         windows_v, windows_u = document.windows
         raise FileError(
             f"{path}: the published layout holds a net of 5 x 5 points, and this one has {windows_v} x {windows_u} "

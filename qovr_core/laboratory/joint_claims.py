@@ -55,7 +55,7 @@ def c1(document: Document) -> Measurement:
     found = joint_jumps(document)
     what = "largest jump of the cross derivative as part of the surface's size"
     measured = _measured(document, found.by_order[_TANGENT], what)
-    if _is_single(document):
+    if document.is_one_window:
         return measured
     in_net = "no jump" if found.in_net.is_rounding else f"{found.in_net.value:.2g}"
     note = f"in the net's own parameter {in_net}"
@@ -73,16 +73,12 @@ def g1(document: Document) -> Measurement:
 def _measured(document: Document, jump: Jump, what: str) -> Measurement:
     """Return what a jump comes to, and where it is largest."""
     note = "" if jump.is_rounding else f"largest {_place(document, jump)}"
-    place = None if _is_single(document) else jump.place
+    place = None if document.is_one_window else jump.place
     return Measurement(jump.value, what, jump.is_rounding, note, place=place)
 
 
 def _place(document: Document, jump: Jump) -> str:
-    return f"across {jump.place.across.parameter} = 1" if _is_single(document) else f"at the {jump.place}"
-
-
-def _is_single(document: Document) -> bool:
-    return document.windows == (1, 1)
+    return f"across {jump.place.across.parameter} = 1" if document.is_one_window else f"at the {jump.place}"
 
 
 def _crosses_alike(document: Document) -> bool:
@@ -136,7 +132,7 @@ KNOTS_CROSS_ALIKE = Condition(
 def _all_smooth(document: Document) -> bool:
     """Whether every joint can be smooth; the neighbours of one window have its knots, as if it were closed."""
     return all(
-        can_be_smooth(knots_of(document, direction), _is_single(document) or document.is_closed(direction)).all()
+        can_be_smooth(knots_of(document, direction), document.is_one_window or document.is_closed(direction)).all()
         for direction in Direction
     )
 
@@ -165,7 +161,7 @@ def c2(document: Document) -> Measurement:
     note = "none of the nets tried continues without a jump"
     if smooth is document:
         note = (
-            "yet this net has none" if not _is_single(document) else "yet this net, continued by reflection, has none"
+            "yet this net, continued by reflection, has none" if document.is_one_window else "yet this net has none"
         )
     elif smooth is not None:
         note = "yet nets exist that have none: points affine in (i, j), 0.5 knots, continued by reflection"
@@ -186,7 +182,7 @@ def _smooth_net(document: Document) -> Document | None:
 
 
 def _has_no_jump(document: Document) -> bool:
-    if not _is_single(document):
+    if not document.is_one_window:
         return joint_jumps(document).are_rounding
     return jumps([neighbours.sides() for neighbours in continued(document, Continuation.REFLECTED)]).are_rounding
 

@@ -86,7 +86,7 @@ def document_sides(document: Document) -> tuple[Sides, ...]:
     DocumentError : a net of one window is so large that its continuation would be no document
     EvaluationError : there is no finite surface
     """
-    if document.windows == (1, 1):
+    if document.is_one_window:
         return tuple(neighbours.sides() for neighbours in continued(document, Continuation.DRAWN))
     patch, rounding = _surface(document)
     sides = []

@@ -93,7 +93,7 @@ def space_knots(document: Document, direction: Direction, spacing: Spacing) -> N
     ------
     QovrError : neighbouring points coincide on every curve, so that they say nothing; or windows do not meet
     """
-    if document.windows != (1, 1):
+    if not document.is_one_window:
         check_continuous(document.formulation, "One spacing for all windows")
     net = document.control_points if direction is Direction.ROWS else document.control_points.swapaxes(0, 1)
     steps = steps_of_points(net[_each_once(document, direction)], spacing).copy()
