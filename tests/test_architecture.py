@@ -25,7 +25,7 @@ FLOORS = {
         "arrays cameras errors layer number_texts registry version",
         "checks colours net_edits net_moves streams",
         "geometry",
-        "fields formulations joints knot_input",
+        "fields formulations joints knot_input net_input",
         "document",
         "edits presets",
         "shapes symmetry",

@@ -160,9 +160,7 @@ def c2(document: Document) -> Measurement:
     smooth = _smooth_net(document)
     note = "none of the nets tried continues without a jump"
     if smooth is document:
-        note = (
-            "yet this net, continued by reflection, has none" if document.is_one_window else "yet this net has none"
-        )
+        note = "yet this net, continued by reflection, has none" if document.is_one_window else "yet this net has none"
     elif smooth is not None:
         note = "yet nets exist that have none: points affine in (i, j), 0.5 knots, continued by reflection"
     measured = replace(_measured(document, jump, what), holds=not found.are_rounding, example=smooth)

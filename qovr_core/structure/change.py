@@ -9,7 +9,7 @@ import numpy as np
 
 from qovr_core.arrays import Array, Indices, read_only
 from qovr_core.construction import document_arrays, overflow_error
-from qovr_core.document import MOST_POINTS, Document
+from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.errors import QovrError
 from qovr_core.formulations import Formulation
@@ -18,6 +18,7 @@ from qovr_core.geometry.knots import Direction
 from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 from qovr_core.geometry.windows import window_count
 from qovr_core.joints import joint_count
+from qovr_core.net_input import MOST_POINTS
 
 FEWEST_WHERE_CLOSED, MOST_WINDOWS = 2, window_count(MOST_POINTS)
 """Windows along the curves of a direction: a net that closes there has two or more, and none has more than the most."""
