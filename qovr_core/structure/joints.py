@@ -22,6 +22,9 @@ STRONGEST_CREASE = 0.45
 
 _R, _S, _U, _T = range(len(KNOT_NAMES))
 
+_DECIMALS = 15
+"""Of a crease's knots: 0.5 - 0.4 is 0.09999999999999998, and fields show every digit."""
+
 
 def make_smooth(document: Document, direction: Direction, joint: int) -> NetChange:
     """Return the document with one tangent plane on both sides of a joint; the windows on both sides move.
@@ -80,7 +83,8 @@ def crease(document: Document, direction: Direction, joint: int, strength: float
         raise DocumentError("The crease", f"{strength:g}", f"a number from 0 to {STRONGEST_CREASE}")
     knots = knots_of(document, direction).array.copy()
     after = (joint + 1) % knots.shape[1]
-    knots[:, joint, _T], knots[:, after, _R] = 0.5 - strength, 0.5 + strength
+    t, r = (round(0.5 + part, _DECIMALS) for part in (-strength, strength))
+    knots[:, joint, _T], knots[:, after, _R] = t, r
     return _with_knots(document, direction, knots, {joint: Joint.SHARP}, (joint, after))
 
 

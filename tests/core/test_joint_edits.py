@@ -134,8 +134,15 @@ def test_a_crease_sets_t_and_r_of_all_curves_and_nothing_else(seed, closed, dire
     after = crease(document, direction, 1, strength).document
     expected = knots_of(document, direction).array.copy()
     expected[:, 1, T], expected[:, 2, R] = 0.5 - strength, 0.5 + strength
-    assert np.array_equal(knots_of(after, direction).array, expected)
+    assert np.allclose(knots_of(after, direction).array, expected, rtol=0, atol=1e-15)
     assert after.joints.along(direction)[1] is Joint.SHARP
+
+
+@pytest.mark.parametrize(("strength", "t", "r"), [(0.2, 0.3, 0.7), (0.4, 0.1, 0.9), (0.45, 0.05, 0.95)])
+def test_a_creases_knots_are_written_as_its_strength_is(strength, t, r):
+    knots = crease(random_net_document(1, (1, 2)), Direction.ROWS, 0, strength).document.row_knots.array
+    assert (knots[:, 0, T] == t).all()
+    assert (knots[:, 1, R] == r).all()
 
 
 @pytest.mark.parametrize(("strength", "degrees"), [(0, 0), (0.1, 42), (0.2, 69), (0.3, 83), (0.4, 89)])
