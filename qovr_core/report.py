@@ -137,8 +137,10 @@ def _net_lines(facts: dict[str, Any]) -> list[str]:
         "; ".join(f"{name}: {say(facts[kind][name])}" for name in "uv")
         for kind, say in (("joints", _joints_text), ("lengths", _lengths_text))
     )
+    formulation = FORMULATIONS[facts["formulation"]]
+    apart = "" if formulation.is_continuous else f"; under {formulation} they do not meet"
     return [
-        "windows          {} x {}, m along v and n along u".format(*facts["windows"]),
+        "windows          {} x {}, m along v and n along u{}".format(*facts["windows"], apart),
         f"joints           {joints}",
         f"lengths          {lengths}",
         *([f"closed along     {', '.join(facts['closed'])}"] if facts["closed"] else []),

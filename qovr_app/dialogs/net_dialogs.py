@@ -67,7 +67,7 @@ class CreaseDialog(NetDialog):
         )
         self._field.show_value(_FIRST_CREASE)
         self._field.textChanged.connect(self._check)
-        self._insert(f"&From 0 to {STRONGEST_CREASE}", self._field)
+        self._insert(f"&Strength, 0 to {STRONGEST_CREASE}", self._field)
         self._field.setFocus()
         self._field.selectAll()
 

@@ -20,9 +20,12 @@ from qovr_core import DocumentError, QovrError
 from qovr_core.document import NetIndex
 from qovr_core.edits import CoordinatePlace, Place
 
+_ORDER = "row 0 of the net first"
+"""In which points follow each other in a table."""
+
 
 class Clipboard:
-    """Copies zones, one coordinate of all points, the view as a picture, and what the probe says; pastes blocks."""
+    """Copies zones, one coordinate of their points, the view as a picture, and what the probe says; pastes blocks."""
 
     def __init__(self, layout: Layout, store: Store) -> None:
         self._layout, self._store, self._dispatch = layout, store, store.dispatch
@@ -60,7 +63,7 @@ class Clipboard:
             rows = typed_block(pasted_cells(), lambda rows, columns: (rows, columns) == (len(points), 3))
             if len(rows) != len(points) or len(rows[0]) != 3:
                 found = f"{len(rows)} x {len(rows[0])} numbers"
-                raise DocumentError("the block", found, f"{len(points)} x 3, a row for each {whose}point")
+                raise DocumentError("the block", found, f"{len(points)} x 3, a row for each {whose}point, {_ORDER}")
         except QovrError as error:
             self._dispatch(MessageShown(f"Nothing was pasted: {error}.", is_refusal=True))
             return
@@ -91,7 +94,7 @@ class Clipboard:
 
     def _copy_plane(self) -> str:
         copy_table(self._layout.points.copied_plane())
-        return "Copied one coordinate of all control points"
+        return "Copied one coordinate of the 25 points in the zone"
 
     def _copy_probe(self) -> str:
         text = self._layout.view_frame.probe_text()

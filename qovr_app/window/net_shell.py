@@ -13,6 +13,7 @@ from qovr_app.state.intents import GestureBegun, GestureCancelled, GestureEnded,
 from qovr_app.state.looking_intents import MessageOutdated, MessageShown
 from qovr_app.store import Store
 from qovr_app.window.shell import Answers
+from qovr_app.zones.net_facts import joint_line
 from qovr_core.edits import knots_of
 
 
@@ -29,7 +30,8 @@ class NetShell:
     def _ask_joint(self, asked: net_intents.JointAsked) -> None:
         direction, joint = asked.direction, asked.joint
         after = (joint + 1) % knots_of(self._store.state.document, direction).windows
-        question = f"The joint between the windows {joint} and {after} along {direction.parameter}"
+        where = f"between the windows {joint} and {after} along {direction.parameter}"
+        question = f"The joint {where}, on {joint_line(direction, joint)} of the points,"
         if asked.what is net_intents.Asked.SMOOTH:
             plain = NetDialog("smooth", "Make Smooth", f"{question} becomes smooth.", self._window)
             self._preview(plain, lambda gesture: net_intents.JointSmoothed(direction, joint, gesture))

@@ -30,14 +30,19 @@ def net_text(document: Document) -> str:
     return f"{rows} × {columns} points, {m} × {n} windows{closed}"
 
 
+def joint_line(direction: Direction, joint: int) -> str:
+    """Return the line of points on which a joint lies, as "column 3" for the first along u."""
+    return f"{'column' if direction is Direction.ROWS else 'row'} {STEP * (joint + 1) + 1}"
+
+
 def joints_text(document: Document, window: Window) -> str:
-    """Return the joints of a window, as "joints: smooth at u = 1, sharp at v = 0", or that all are alike.
+    """Return the joints of a window, as "joints smooth at u = 0, u = 1, sharp at v = 0", or that all are alike.
 
     Examples
     --------
     >>> net = [[[j, i, 0] for j in range(9)] for i in range(5)]
     >>> net_text(Document(net)), joints_text(Document(net), (0, 1))
-    ('5 × 9 points, 1 × 3 windows', 'joints: all smooth')
+    ('5 × 9 points, 1 × 3 windows', 'all joints smooth')
     """
     a, b = window
     found = {
@@ -46,10 +51,18 @@ def joints_text(document: Document, window: Window) -> str:
         for end, find in enumerate((joint_before, joint_after))
         if (joint := find(document, direction, along)) is not None
     }
-    kinds = set(found.values())
-    if len(found) > 1 and len(kinds) == 1:
-        return f"joints: all {kinds.pop()}"
-    return f"joints: {', '.join(f'{joint} at {place}' for place, joint in found.items())}"
+    if len(found) > 1 and len(set(found.values())) == 1:
+        return f"all joints {found.popitem()[1]}"
+    alike = {kind: ", ".join(place for place, joint in found.items() if joint is kind) for kind in Joint}
+    return "joints " + ", ".join(f"{kind} at {places}" for kind, places in alike.items() if places)
+
+
+def net_note(document: Document, window: Window) -> str:
+    """Return the size of a net and the joints of a window, or that its windows do not meet."""
+    if not document.formulation.is_continuous:
+        return f"{net_text(document)}; under {document.formulation} the windows do not meet: choose interpolating"
+    a, b = window
+    return f"{net_text(document)}; window {a},{b}: {joints_text(document, window)}"
 
 
 def points_text(window: Window) -> str:

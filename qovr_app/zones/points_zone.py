@@ -91,7 +91,7 @@ class PointsZone(FieldZone):
         try:
             return shapes[rows, columns]
         except KeyError:
-            expected = "25 x 3 for all points, 5 x 5 for one coordinate of all, or three numbers for one point"
+            expected = "25 x 3 for the zone's points, 5 x 5 for one coordinate of them, or three numbers for one point"
             raise no_place(rows, columns, expected) from None
 
     def _line_header(self, html: str, name: str, points: list[NetIndex], axis: int = HEIGHT) -> HeaderLabel:

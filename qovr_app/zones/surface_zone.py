@@ -18,7 +18,7 @@ from qovr_app.widgets.number_table import NumberTable
 from qovr_app.widgets.parts import MARGINS, CompactButton, Note, symbol, title_html
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.gestures import dispatch_gestures
-from qovr_app.zones.net_facts import joints_text, net_text
+from qovr_app.zones.net_facts import net_note
 from qovr_app.zones.samples_field import SamplesField
 from qovr_core import FORMULATIONS, Document, Evaluation
 
@@ -78,7 +78,7 @@ class SurfaceZone(QFrame):
             self._has_reported = False
             self._show_document(after.document)
         if after.differs(before, "document", "window"):
-            self._net.say(f"{net_text(after.document)}; {joints_text(after.document, after.window)}" * is_net(after))
+            self._net.say(net_note(after.document, after.window) * is_net(after))
         if after.differs(before, "document", "evaluation"):
             self._show_numbers(after.evaluation)
             self._show_stale(after.evaluation, is_stale=after.is_stale)

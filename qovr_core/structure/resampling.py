@@ -142,6 +142,7 @@ def _net(surface: ParametricSurface, u: _Nodes, v: _Nodes) -> Array:
 def _check_count(count: int, direction: Direction, *, is_closed: bool) -> None:
     fewest = FEWEST_WHERE_CLOSED if is_closed else 1
     if not fewest <= count <= MOST_WINDOWS:
+        net = "net that closes" if is_closed else "net"
         raise QovrError(
-            f"{count} windows along {direction.parameter} are no net; expected {fewest} to {MOST_WINDOWS} of them"
+            f"{count} windows along {direction.parameter} are no {net}; expected {fewest} to {MOST_WINDOWS} of them"
         )

@@ -1,6 +1,7 @@
 """The headless commands on nets of many windows."""
 
 import json
+from dataclasses import replace
 
 import pytest
 
@@ -40,6 +41,11 @@ def test_info_says_what_the_net_is(run):
     assert [len(facts["lengths"][name]) for name in "uv"] == [3, 2]
     assert facts["folding_count"] == len(facts["folding"])
     assert all(each["curve"].count("[") == 2 for each in facts["folding"])
+
+
+def test_info_says_under_which_formulation_windows_do_not_meet(run, tmp_path):
+    write_document(replace(NET, formulation="published"), tmp_path / "apart.qovr")
+    assert "m along v and n along u; under published they do not meet\n" in run("info", "apart.qovr")[1]
 
 
 def test_info_of_a_closed_net(run, tmp_path):

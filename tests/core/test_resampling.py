@@ -106,7 +106,7 @@ def test_any_surface_will_do():
     [
         ((0, 1), (), "0 windows along v are no net; expected 1 to 100 of them"),
         ((1, 101), (), "101 windows along u are no net; expected 1 to 100 of them"),
-        ((3, 1), ("u",), "1 windows along u are no net; expected 2 to 100 of them"),
+        ((3, 1), ("u",), "1 windows along u are no net that closes; expected 2 to 100 of them"),
     ],
 )
 def test_what_is_no_net_is_refused(windows, closed, text):

@@ -129,7 +129,7 @@ def edit_commands() -> tuple[Command, ...]:
             asking(requests.PasteAsked(over_points=True)),
             menu,
             _Key.Paste,
-            "Paste a table of X, Y, Z over the selected points, or over all where none is selected, a row for each",
+            "Paste a table of X, Y, Z over the selected points, or all where none is; row 0 of the net first",
         ),
         Command(
             "copy_zone",
@@ -146,7 +146,7 @@ def edit_commands() -> tuple[Command, ...]:
             asking(requests.CopyAsked("plane")),
             menu,
             "Ctrl+Alt+C",
-            "Copy the coordinate in which the keyboard is, of all points, as the net lies",
+            "Copy the coordinate in which the keyboard is, of all points in the zone, as the net lies",
         ),
         Command(
             "paste_zone",

@@ -47,7 +47,7 @@ def test_points_are_copied_and_pasted_as_a_table(editor):
     QGuiApplication.clipboard().setText("1\t2\n3\t4\n")
     editor.trigger("paste")
     assert editor.document is document
-    assert "3 x 3, a row for each selected point" in editor.message()
+    assert "3 x 3, a row for each selected point, row 0 of the net first" in editor.message()
 
 
 def test_the_history_is_a_list_to_go_to_a_step(editor):

@@ -44,6 +44,8 @@ def creased(editor):
     """Crease the joint after the window in focus, by the dialog."""
     editor.trigger("crease_u")
     assert "moves by at most" in note(editor, "crease")
+    (question,) = [label.text() for label in editor.dialog("crease").findChildren(QLabel) if "becomes" in label.text()]
+    assert question == "The joint between the windows 1 and 2 along u, on column 5 of the points, becomes a crease."
     assert (editor.document.row_knots.array[:, 1, 3] == 0.3).all()
     field = editor.find("crease.strength", QLineEdit)
     for text in ("0.6", "0.4"):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QLabel
 
@@ -11,10 +11,11 @@ from qovr_app.state.focus import has_point
 from qovr_app.state.intents import LiveSwitched, Opened, Reloaded
 from qovr_app.state.knot_intents import LinkSwitched
 from qovr_app.state.looking_intents import PanelShown, Selected, WindowFocused
-from qovr_core import Document, edits
+from qovr_core import Document, Formulation, edits
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, value_at
 from qovr_core.files.sources import read_source
 from qovr_core.presets import preset
+from qovr_core.structure.joints import make_sharp
 from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 from support.nets import closed_net, random_net_document
 
@@ -22,6 +23,8 @@ SHARP = random_net_document(5, (2, 3), smooth=0.0)
 """7 x 9 points, whose joints are all sharp."""
 
 SMOOTH = random_net_document(6, (2, 3))
+
+SHARP_ALONG_V = make_sharp(SMOOTH, Direction.COLUMNS, 0)
 
 
 def there(local, window):
@@ -203,6 +206,29 @@ def test_zones_are_copied_and_pasted_by_the_window(net):
             assert value_at(net.document, KnotPlace(Direction.ROWS, k, name)) == value_at(
                 SHARP, KnotPlace(Direction.ROWS, k + 2, name, 2)
             )
+
+
+def test_one_coordinate_is_copied_of_the_zone_and_said_so(net):
+    click_map(net, (1, 2))
+    net.field("control_points.P_0_0.z").setFocus()
+    net.trigger("copy_plane")
+    assert net.message() == "Copied one coordinate of the 25 points in the zone"
+    QGuiApplication.clipboard().setText("1\t2\n3\t4\n")
+    net.trigger("paste_zone")
+    assert "expected 25 x 3 for the zone's points, 5 x 5 for one coordinate of them" in net.message()
+
+
+def test_the_joints_of_the_window_in_focus_are_said_by_their_kind(net):
+    def said():
+        return net.find("surface.net", QLabel).text()
+
+    click_map(net, (1, 1))
+    assert said() == "7 × 9 points, 2 × 3 windows; window 1,1: all joints sharp"
+    net.dispatch(Opened(SHARP_ALONG_V, "net"))
+    click_map(net, (0, 1))
+    assert said().endswith("window 0,1: joints smooth at u = 0, u = 1, sharp at v = 1")
+    net.dispatch(Opened(edits.set_formulation(SHARP, Formulation.DOUBLE_SUM), "net"))
+    assert said() == "7 × 9 points, 2 × 3 windows; under double-sum the windows do not meet: choose interpolating"
 
 
 def test_the_slider_moves_the_knot_of_the_window(net):
