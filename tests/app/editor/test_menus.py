@@ -8,10 +8,12 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QFileDialog, QListWidget, QMenu, QTextBrowser
 
 from qovr_app.state.intent_text import intent_of
+from qovr_app.state.intents import Opened
 from qovr_app.state.looking_intents import Selected
 from qovr_core import Formulation
 from qovr_core.files import read_source
 from qovr_core.presets import preset
+from qovr_core.shapes import shape
 
 
 @pytest.mark.parametrize("name", ["paper", "flat", "dome", "saddle", "wave"])
@@ -171,10 +173,13 @@ def test_the_citation_and_a_report_are_copied(editor):
         ("row_knots.C_2.u", "Row-wise knots"),
         ("control_points.P_1_3.z", "Control points"),
         ("surface.samples_u", "Surface"),
-        ("view", "In the view:"),
+        ("view", "The view"),
+        ("net.map", "Nets"),
     ],
 )
 def test_f1_helps_with_what_has_the_keyboard(editor, focus, heading):
+    if focus == "net.map":
+        editor.dispatch(Opened(shape("hood").document(), "hood"))
     if focus == "view":
         editor.trigger("go_view")
     else:
