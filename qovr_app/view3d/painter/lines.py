@@ -103,10 +103,10 @@ def _joints(picture: Picture, size: Size) -> list[Lines]:
     gap = min(gaps(picture.camera.project(corners, size)))
     if gap >= _LEAST_GAP:
         found += [Lines(each, theme.smooth_joint, _SMOOTH_WIDTH, name="Smooth joint") for each in joints.smooth]
-    for each in joints.sharp:
-        found.append(Lines(_some(each, gap), theme.sharp_joint, _SHARP_WIDTH, name="Sharp joint"))
     if picture.window is not None:
         found.append(Lines(outline(scene, picture.window), theme.selected, _FOCUS_WIDTH, name="Window in focus"))
+    for each in joints.sharp:  # over the outline, as in the map: else a crease beside the window would not be seen
+        found.append(Lines(_some(each, gap), theme.sharp_joint, _SHARP_WIDTH, name="Sharp joint"))
     if gap < FEW * _LEAST_GAP:  # one piece is then enough for so many
         found = [replace(lines, points=lines.points[:, ::FEW]) for lines in found]
     return found

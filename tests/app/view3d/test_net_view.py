@@ -90,7 +90,7 @@ def test_the_seam_of_a_closed_net_is_a_joint(make_view):
 
 def test_joints_can_be_switched_off_and_one_window_has_none(make_view, document):
     view = shown(make_view, hood())
-    assert names(view) == ["Control net", "Control net", "Smooth joint", "Sharp joint", "Window in focus"]
+    assert names(view) == ["Control net", "Control net", "Smooth joint", "Window in focus", "Sharp joint"]
     choose(view, joints=False)
     assert names(view) == ["Control net", "Control net"]
     choose(view, joints=True)
