@@ -123,7 +123,7 @@ def _interpolating(x: Array, y: Array, z: Array, closed: Sequence[str] = ()) -> 
 
 SHAPES = {
     "paper": Shape("Paper's net", _papers_net),
-    "flat": Shape("Flat", _over_grid(lambda x, _y: 0 * x)),
+    "flat": Shape("Flat", _over_grid(lambda _x, _y: np.zeros(1))),
     "dome": Shape("Dome", _over_grid(lambda x, y: 2 - x**2 - y**2)),
     "saddle": Shape("Saddle", _over_grid(lambda x, y: x**2 - y**2)),
     "wave": Shape("Wave", _over_grid(lambda x, _y: np.sin(np.pi * x) / 2)),
