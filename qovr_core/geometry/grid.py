@@ -27,7 +27,7 @@ of its own accord, leaves it alone. Its threads would spin on for a while and ta
 THREADED_BYTES = 4 * 1024 * 1024
 """Results smaller than this are done in the caller's thread; larger ones are bound by memory."""
 
-TABLE_BYTES = 2 * 1024 * 1024
+TABLE_BYTES = 1024 * 1024
 """Size of the curves in v of the pieces along u that are worked on together: little beside large results."""
 
 _Block = tuple[int, slice]
@@ -54,14 +54,22 @@ class PieceBasis:
         return slice(self.starts[piece], self.starts[piece + 1])
 
 
+def _alike(basis: PieceBasis) -> list[range]:
+    """Return the pieces in runs that have equally many rows, which one product can serve."""
+    counts = np.diff(basis.starts)
+    ends = [0, *(np.flatnonzero(np.diff(counts)) + 1).tolist(), len(counts)]
+    return [range(start, stop) for start, stop in pairwise(ends) if counts[start]]
+
+
 def _table(coefficients: Array, along_v: PieceBasis) -> Array:
     """Return (n, a, d M) for pieces (m, n, a, b, d): for every coefficient along u, the points of its curve in v."""
     m, n, a, b, d = coefficients.shape
     table = np.empty((n, a, len(along_v.values), d))
-    for piece in range(m):
-        rows = along_v.rows(piece)
-        across = coefficients[piece].transpose(2, 0, 1, 3).reshape(b, n * a * d)
-        values = along_v.values[rows] @ across
+    across = coefficients.transpose(0, 3, 1, 2, 4).reshape(m, b, n * a * d)
+    for pieces in _alike(along_v):
+        rows = slice(along_v.starts[pieces.start], along_v.starts[pieces.stop])
+        bases = along_v.values[rows].reshape(len(pieces), -1, b)
+        values = bases @ across[pieces.start : pieces.stop]
         table[:, :, rows] = values.reshape(-1, n, a, d).transpose(1, 2, 0, 3)
     return table.reshape(n, a, -1)
 

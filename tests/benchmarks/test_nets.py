@@ -73,13 +73,10 @@ def test_ratios(row):
         row(f"samples, {side**2} windows / one", at, m["samples", side] / m["samples", 1], at_most=goal)
     row("ms for the patches of 2,500 windows", "", 1e3 * m["patches", 50], at_most=40)
     for side in SIDES[1:]:
-        row(f"one point moved, with T, {side**2} windows / one", at, m["moved", side] / m["moved", 1])
-        row(
-            f"Splipy / document to samples, {side**2} windows",
-            at,
-            m["splipy net", side] / m["whole net", side],
-            at_least=2,
-        )
+        windows, splipy = f"{side**2} windows", m["splipy net", side]
+        row(f"one point moved, with T, {windows} / one", at, m["moved", side] / m["moved", 1])
+        row(f"Splipy / samples, {windows}", at, splipy / m["samples", side], at_least=2)
+        row(f"Splipy / document to samples, {windows}", at, splipy / m["whole net", side])
 
 
 def test_the_largest_net_from_its_file(row, tmp_path):
