@@ -44,7 +44,11 @@ class Actions(QObject):
         for command in self.commands:
             action = self._actions[command.name]
             action.setVisible(command.is_shown(state))
-            action.setEnabled(command.is_enabled(state))
+            is_enabled = command.is_enabled(state)
+            action.setEnabled(is_enabled)
+            if command.needs:
+                tip = action.statusTip()
+                action.setToolTip(tip if is_enabled else f"{tip}.\n{command.needs}.")
             if command.is_checked is not None:
                 action.setChecked(command.is_checked(state))
             if command.noun is not None:

@@ -156,6 +156,15 @@ def test_what_needs_windows_that_meet_says_so_and_the_way_out_is_in_the_menu(edi
         assert not editor.action(name).isEnabled()
 
 
+def test_a_grey_command_says_in_its_tip_what_it_needs(editor):
+    action = editor.action("append_after_u")
+    assert not action.isEnabled()
+    assert "\nChoose the interpolating formulation first (in the menu Net)" in action.toolTip()
+    editor.trigger("make_interpolating")
+    assert action.isEnabled()
+    assert action.toolTip() == action.statusTip()
+
+
 def test_commands_act_on_the_window_in_focus(editor):
     from qovr_app.state.intents import Opened
 
