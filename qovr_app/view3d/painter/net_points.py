@@ -23,8 +23,8 @@ from qovr_core.arrays import Array, Flags
 from qovr_core.document import NetIndex
 
 POINT_RADIUS = 4.5
-_LEAST_RADIUS, _PART_OF_GAP = 1.0, 0.36
-"""Where the points of a net crowd their discs are smaller, so that they stay apart."""
+_LEAST_RADIUS, _PART_OF_GAP = 1.0, 0.22
+"""Where the points of a net crowd their discs are smaller, so that the surface is seen between them."""
 
 _MARKED_RADIUS, _HALO_RADIUS, _RING_RADIUS = 6.0, 8.5, 10.0
 _RING_WIDTH = 2.4

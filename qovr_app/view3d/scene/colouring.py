@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import lru_cache
+from weakref import ref
 
 import numpy as np
 import numpy.typing as npt
@@ -47,7 +48,7 @@ class Colouring:
     limits : the values at the ends of the colours; NaN where nothing has a value
     beyond : whether values lie below the lower limit, and above the upper one
     note : what keeps the picture from saying more, and how to change that; else empty
-    values : gives the values at the vertices of a grid, (n, m) float64, NaN where there are none
+    values : gives the values at the vertices of a grid, (n, m) float64, NaN where there are none, while the scene lives
     pattern : what the colours show instead of values; None where they show values
     """
 
@@ -123,8 +124,14 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, grid: Grid, moving
     if note:
         return Colouring(colour_table(colour_map), title, note=note)
 
+    # The scene keeps what its colours say: were it held by that in turn, it would stay, with all that it has made,
+    # until Python looks for circles, which it does by the number of objects, not by their size.
+    of_scene = ref(scene)
+
     def values(grid: Grid) -> Array:
-        return scene.values(field, grid, moving=moving)
+        alive = of_scene()
+        assert alive is not None, "colours are asked of a picture, which holds its scene"
+        return alive.values(field, grid, moving=moving)
 
     alike = [scene, *(peer for peer in scene.peers if not _missing(peer, field))]
     seen = np.concatenate([each.values(field, grid.over(each.surface), moving=moving).ravel() for each in alike])

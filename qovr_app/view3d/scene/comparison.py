@@ -107,5 +107,5 @@ def compared(own: Scene, other: OtherSurface) -> tuple[Scene, ...]:
         ),
     )
     for scene, peer in zip(scenes, scenes[::-1], strict=True):
-        scene.peers.append(peer)
+        scene.peers.add(peer)
     return scenes

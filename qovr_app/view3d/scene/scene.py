@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
+from weakref import WeakSet
 
 import numpy as np
 
@@ -84,7 +85,7 @@ class Scene:
     lines_name: str = ""
     lines: Array = field(default_factory=lambda: np.empty((0, 2, 3)))
     held: HeldRanges = field(default_factory=HeldRanges)
-    peers: list[Scene] = field(default_factory=list, init=False, repr=False)
+    peers: WeakSet[Scene] = field(default_factory=WeakSet, init=False, repr=False)
     cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property

@@ -83,7 +83,7 @@ class Scenes:
         layers = [scene for scene in self._scenes if not scene.is_comparison]
         if self._shown.settings.shares_range:
             for scene in layers:
-                scene.peers.extend(other for other in layers if other is not scene and other not in scene.peers)
+                scene.peers.update(other for other in layers if other is not scene)
 
 
 def _begins_anew(before: Shown, shown: Shown) -> bool:

@@ -86,7 +86,8 @@ def test_a_level_surface_has_one_colour_and_a_plane_no_curvature():
     shown = colouring(scene, "height")
     assert shown.limits[0] == shown.limits[1] == pytest.approx(0.3)
     assert (shown.parts(GRID) == 0.5).all()
-    bent = colouring(scene_of(net_of(lambda x, y: 0.3 * x - 0.1 * y)), "gaussian")
+    plane = scene_of(net_of(lambda x, y: 0.3 * x - 0.1 * y))
+    bent = colouring(plane, "gaussian")
     assert bent.limits == (0, 0)
     assert (bent.parts(GRID) == 0.5).all()
 
