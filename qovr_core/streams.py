@@ -6,16 +6,18 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
-from typing import NoReturn, TextIO
+from types import FrameType
+from typing import TextIO
 
 from qovr_core.errors import one_line
 
 ENDING_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 _MOMENT = 0.002
-"""Seconds in which a finaliser has ended."""
+"""Seconds in which a finaliser has ended, as a rule."""
 
 
 class Interrupted(KeyboardInterrupt):
@@ -38,8 +40,12 @@ def interruptible() -> Iterator[None]:
     A signal that is ignored stays so, as Ctrl-C for what a shell runs in the background. Where Python passes no
     exception on, as out of a finaliser, the signal comes again a moment later.
     """
+    repeating = _Repeating()
 
-    def interrupt(number: int, _frame: object) -> NoReturn:
+    def interrupt(number: int, frame: FrameType | None) -> None:
+        if _is_within(frame, come_again):  # nor does Python pass one on from there: it comes once more
+            return
+        repeating.is_taken = True
         for other in before:
             signal.signal(other, signal.SIG_IGN)
         raise Interrupted(number)
@@ -50,7 +56,7 @@ def interruptible() -> Iterator[None]:
             return
         for other in before:
             signal.signal(other, interrupt)
-        threading.Timer(_MOMENT, signal.raise_signal, (lost.exc_value.number,)).start()
+        repeating.start(lost.exc_value.number)
 
     hook_before = sys.unraisablehook
     before = {
@@ -64,9 +70,50 @@ def interruptible() -> Iterator[None]:
             signal.signal(number, interrupt)
         yield
     finally:
+        repeating.end()  # so that none comes when the signals are others' again
         sys.unraisablehook = hook_before
         for number, handler in before.items():
             signal.signal(number, handler)
+
+
+class _Repeating:
+    """A signal that comes again and again until it is taken."""
+
+    def __init__(self) -> None:
+        self.is_taken = True
+        self._threads: list[threading.Thread] = []
+
+    def start(self, number: int) -> None:
+        self.is_taken = False
+        self._threads.append(threading.Thread(target=self._repeat, args=(number,)))
+        self._threads[-1].start()
+
+    def end(self) -> None:
+        self.is_taken = True
+        for thread in self._threads:
+            thread.join()
+
+    def _repeat(self, number: int) -> None:
+        while not self.is_taken:
+            time.sleep(_MOMENT)
+            if not self.is_taken:
+                _signal_main_thread(number)
+
+
+def _signal_main_thread(number: int) -> None:
+    """Send a signal to the thread that takes signals: sent to another, it would not end what this one waits for."""
+    main = threading.main_thread().ident
+    if main is not None and hasattr(signal, "pthread_kill"):
+        signal.pthread_kill(main, number)
+    else:
+        signal.raise_signal(number)
+
+
+def _is_within(frame: FrameType | None, function: Callable[..., object]) -> bool:
+    """Return whether a frame is one of a function, or of what it calls."""
+    while frame is not None and frame.f_code is not function.__code__:
+        frame = frame.f_back
+    return frame is not None
 
 
 def mend_streams() -> None:
