@@ -21,6 +21,14 @@ def binomials(degree: int) -> Array:
     return read_only(np.array([comb(degree, k) for k in range(degree + 1)], dtype=np.float64))
 
 
+def checked_parameters(parameters: npt.ArrayLike) -> Array:
+    """Return parameters as (n,) float64; what is not one-dimensional raises ValueError."""
+    x = np.asarray(parameters, dtype=np.float64)
+    if x.ndim != 1:
+        raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
+    return x
+
+
 def basis(degree: int, parameters: npt.ArrayLike) -> Array:
     """Return the Bernstein polynomials B_{k,degree} of (3) at parameters.
 
@@ -37,9 +45,7 @@ def basis(degree: int, parameters: npt.ArrayLike) -> Array:
     ------
     ValueError : the parameters are not one-dimensional
     """
-    x = np.asarray(parameters, dtype=np.float64)
-    if x.ndim != 1:
-        raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
+    x = checked_parameters(parameters)
     powers = np.empty((2, degree + 1, x.size))
     powers[:, 0] = 1
     for k in range(degree):

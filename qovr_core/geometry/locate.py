@@ -79,9 +79,7 @@ def located(parameters: npt.ArrayLike, breakpoints: Array) -> Located:
     ------
     ValueError : the parameters are not one-dimensional
     """
-    x = np.asarray(parameters, dtype=np.float64)
-    if x.ndim != 1:
-        raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
+    x = bernstein.checked_parameters(parameters)
     lengths = np.diff(breakpoints)
     window = np.clip(np.searchsorted(breakpoints, x, side="right") - 1, 0, len(lengths) - 1)
     return Located(window, (x - breakpoints[window]) / lengths[window], lengths)

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.geometry import differential, grid
+from qovr_core.geometry import bernstein, differential, grid
 from qovr_core.geometry.differential import Curvature, Domain
 
 _SINGULAR = 1e-12
@@ -37,9 +37,7 @@ class Basis:
 
     def __call__(self, parameters: npt.ArrayLike, order: int) -> Array:
         """Return the derivatives of all functions, (n, count); parameters that are no list raise ValueError."""
-        x = np.asarray(parameters, dtype=np.float64)
-        if x.ndim != 1:
-            raise ValueError(f"parameters have shape {x.shape}; expected one dimension")
+        x = bernstein.checked_parameters(parameters)
         values: Array = self.functions(x, order)
         return values
 
