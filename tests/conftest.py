@@ -13,6 +13,9 @@ from hypothesis import settings
 
 pytest.register_assert_rewrite("gestures")
 
+if "PYTEST_XDIST_WORKER" in os.environ:  # one a core: threads of the library below NumPy would wait for each other
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
 SCREEN = "2600x1600x24"
 _XVFB_SECONDS = 20
 

@@ -4,7 +4,6 @@ import json
 import os
 import pty
 import re
-import resource
 import select
 import shutil
 import signal
@@ -454,15 +453,10 @@ def test_a_folder_that_nobody_may_write(name):
 # --- what it survives -------------------------------------------------------------------------------------------------
 
 
-def small_files():
-    """Make every write beyond 20 kB fail, as a full disk does."""
-    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, 20_000))
-
-
 @pytest.mark.parametrize("name", [f"a{suffix}" for suffix in LARGE])
 def test_a_write_that_fails_leaves_the_old_file(name, tmp_path):
     (tmp_path / name).write_text("precious")
-    run = qovr("export", "paper:fig5", name, cwd=tmp_path, preexec_fn=small_files)
+    run = qovr("export", "paper:fig5", name, cwd=tmp_path, largest_file=20_000)
     assert f"{name}: cannot be written: " in refused(run)
     assert left(tmp_path) == [name]
     assert (tmp_path / name).read_text() == "precious"

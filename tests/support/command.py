@@ -1,12 +1,22 @@
 """The command line as a user runs it: another process."""
 
+import multiprocessing
 import os
-import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from qovr_app.main import main
 
 QOVR = Path(sys.executable).with_name("qovr")
+"""The command itself, for tests of what surrounds it: how it starts, its streams, its signals."""
+
+_HAS_FORKS = "forkserver" in multiprocessing.get_all_start_methods()
+_PROCESSES = multiprocessing.get_context("forkserver" if _HAS_FORKS else "spawn")
+_PROCESSES.set_forkserver_preload(["qovr_core.cli", "qovr_app.window.screenshot", "openpyxl", "xlsxwriter"])
+
+_SECONDS = 300
 
 PUBLISHED = Path(__file__).resolve().parents[3] / "shared/reference/published"
 
@@ -23,18 +33,37 @@ def environment(**changes):
     return {**headless, **changes}
 
 
-def qovr(*arguments, cwd=None, **options):
-    done = subprocess.run(
-        [QOVR, *map(str, arguments)],
-        check=False,
-        cwd=cwd,
-        env=environment(),
-        capture_output=True,
-        text=True,
-        timeout=300,
-        **options,
-    )
-    return Run(done.returncode, done.stdout, done.stderr)
+def qovr(*arguments, cwd=None, largest_file=None):
+    """Run the command in a process of its own, forked from one that has imported what every command imports.
+
+    Parameters
+    ----------
+    cwd : the folder in which it runs
+    largest_file : bytes; a write beyond them fails, as on a full disk
+    """
+    with TemporaryDirectory() as folder:
+        out, err = Path(folder, "out"), Path(folder, "err")
+        values = [*map(str, arguments)], cwd, largest_file, environment(), (out, err)
+        process = _PROCESSES.Process(target=_be_the_command, args=values)
+        process.start()
+        process.join(_SECONDS)
+        process.kill()
+        process.join()
+        return Run(process.exitcode, out.read_text(), err.read_text())
+
+
+def _be_the_command(arguments, cwd, largest_file, variables, files):
+    for descriptor, file in enumerate(files, start=1):
+        os.dup2(os.open(file, os.O_WRONLY | os.O_CREAT), descriptor)
+    os.chdir(cwd or ".")
+    os.environ.clear()
+    os.environ.update(variables)
+    if largest_file is not None:
+        import resource
+
+        resource.setrlimit(resource.RLIMIT_FSIZE, (largest_file, largest_file))
+    sys.argv = ["qovr", *arguments]
+    main()
 
 
 def refused(run):
