@@ -1,4 +1,4 @@
-.PHONY: run test coverage fuzz bench lint docs setup
+.PHONY: run test coverage fuzz bench bench-long lint docs setup
 
 PY := .venv/bin/python
 QOVR := .venv/bin/qovr
@@ -35,8 +35,12 @@ fuzz: setup
 	@$(PY) -m pytest -m hypothesis --hypothesis-profile exploring --numprocesses auto --dist worksteal
 	@QOVR_FUZZ_SECONDS=$(SECONDS) QOVR_FUZZ_SEED=$$(date +%s) $(PY) -m pytest -s tests/core/test_fuzz.py
 
+# One table of ratios against their goals, in ten minutes on a quiet machine; what takes longer apart.
 bench: setup
-	@$(PY) -m pytest --benchmark-quiet tests/benchmarks
+	@$(PY) -m pytest --quiet -rs -m "not long" tests/benchmarks
+
+bench-long: setup
+	@$(PY) -m pytest --quiet -rs -m long tests/benchmarks
 
 lint: setup
 	@$(PY) -m ruff check .

@@ -1,58 +1,75 @@
-"""One table of ratios at the end of ``make bench``; every figure in it was measured in the same run."""
+"""What benchmarks share: two fixtures to report by, and the table at the end of ``make bench``."""
 
-from dataclasses import dataclass
+import json
+import os
+import time
+from pathlib import Path
 
 import pytest
 
-MEDIANS = {}
-ROWS = []
+from . import table
+from .goals import GOALS
+from .timing import in_turn
 
+KEPT = Path(__file__).parents[2] / "build/benchmarks.json"
+"""The newest result of each goal, quick or long; ``benchmarks.readme`` writes the README's table from it."""
 
-@dataclass
-class Row:
-    """One line of the table: a measured ratio, and the goal it is held against (None where it only informs)."""
-
-    what: str
-    size: str
-    ratio: float
-    goal: str
-    reached: bool | None
+STARTED = time.monotonic()
+RESULTS = {}
 
 
 @pytest.fixture
-def measure(benchmark):
-    """Time a call and keep the median under (name, size), so that later rows can be ratios of it."""
+def record(request):
+    """A function that puts figures into the table by a goal's key: of each run ours, and the peer's if it has one."""
+    is_long = request.node.get_closest_marker("long") is not None
 
-    def run(name, size, call, *, rounds=15):
-        benchmark.group = f"{size} x {size}"
-        benchmark.pedantic(call, rounds=rounds, warmup_rounds=2)
-        MEDIANS[name, size] = benchmark.stats.stats.median
-
-    return run
-
-
-@pytest.fixture
-def row():
-    """Add a line to the table; ``at_most`` or ``at_least`` is the goal."""
-
-    def add(what, size, ratio, *, at_most=None, at_least=None):
-        goal, reached = "", None
-        if at_most is not None:
-            goal, reached = f"at most {at_most:g}", ratio <= at_most
-        if at_least is not None:
-            goal, reached = f"at least {at_least:g}", ratio >= at_least
-        ROWS.append(Row(what, size, ratio, goal, reached))
+    def add(key, figures, peers=()):
+        goal = GOALS[key]
+        assert goal.is_long == is_long, f"{key}: the goal and its test must agree whether it is long"
+        assert len(peers) == (len(figures) if goal.peer else 0), f"{key}: figures of the peer too, or none"
+        RESULTS[key] = table.Result(key, tuple(map(float, figures)), tuple(map(float, peers)))
 
     return add
 
 
-def pytest_terminal_summary(terminalreporter):
-    """Print the table."""
-    if not ROWS:
+@pytest.fixture
+def measure(record):
+    """A function that times a call and its peer's in turn, three runs of so many rounds, and records the medians.
+
+    A peer that takes long is called in ``every`` so many rounds only.
+    """
+
+    def run(key, ours, *peer, rounds=15, every=1, clock=time.perf_counter):
+        scale = table.PER_SECOND[GOALS[key].unit]
+        taken = in_turn(ours, *peer, rounds=rounds, every=every, clock=clock)
+        record(key, *([scale * seconds for seconds in runs] for runs in taken))
+
+    return run
+
+
+def pytest_terminal_summary(terminalreporter, config):
+    """Print the table, and keep it for the README."""
+    is_whole = all(Path(argument).is_dir() for argument in config.args) and not config.option.keyword
+    if is_whole and config.option.markexpr == "not long":
+        RESULTS["make bench"] = table.Result("make bench", ((time.monotonic() - STARTED) / 60,))
+    if not RESULTS:
         return
-    terminalreporter.section("ratios, medians of one run")
-    width = max(len(row.what) for row in ROWS)
-    for row in ROWS:
-        verdict = {True: "reached", False: "MISSED", None: ""}[row.reached]
-        line = f"{row.what:<{width}}  {row.size:>11}  {row.ratio:>10.3g}  {row.goal:<15} {verdict}"
-        terminalreporter.write_line(line.rstrip())
+    terminalreporter.section("ratio: ours over the other where the goal is <=, the other over ours where it is >=")
+    for line in table.lines(RESULTS.values()):
+        terminalreporter.write_line(line)
+    terminalreporter.write_line(f"{os.cpu_count()} cores, load {os.getloadavg()[1]:.1f} in the last five minutes")
+    if is_whole:
+        wanted = [key for key, goal in GOALS.items() if goal.is_long == (config.option.markexpr == "long")]
+        silent = [key for key in wanted if key not in RESULTS]
+        if silent:
+            terminalreporter.write_line(f"not measured: {len(silent)} of {len(wanted)}: {'; '.join(silent)}")
+    terminalreporter.write_line(table.verdict(RESULTS.values()))
+    _keep()
+
+
+def _keep():
+    """Put what was measured beside what other runs did."""
+    kept = {found["key"]: found for found in json.loads(KEPT.read_text(encoding="utf-8"))} if KEPT.exists() else {}
+    kept |= {found["key"]: found for found in table.as_json(RESULTS.values())}
+    KEPT.parent.mkdir(exist_ok=True)
+    KEPT.write_text(json.dumps([kept[key] for key in GOALS if key in kept], indent=1), encoding="utf-8")

@@ -11,33 +11,28 @@ from qovr_core.laboratory.verify import verify
 from qovr_core.presets import preset
 from support.command import qovr
 
-RUNS = 15
-LONGEST_WAIT = 50.0
-"""Milliseconds: a row of verdicts then follows the other without a pause that is seen."""
+from .timing import RUNS
 
-LONGEST_COMMAND = 2.0
-"""Seconds, the interpreter's start included."""
+ROUNDS = 5
+
+
+def waits(document):
+    """Return the milliseconds before each verdict."""
+    knot_claims.knot_moves.cache_clear()
+    joint_claims.joint_jumps.cache_clear()
+    times = [time.perf_counter()]
+    verify(document, report=lambda _finding: times.append(time.perf_counter()))
+    return [1e3 * (after - before) for before, after in itertools.pairwise(times)]
 
 
 @pytest.mark.parametrize("name", ["fig5", "fig6c"])
-def test_findings(row, name):
-    verify(preset(name).document)  # what every document shares is computed once
-    longest, total = [], []
-    for _ in range(RUNS):
-        knot_claims.knot_moves.cache_clear()
-        joint_claims.joint_jumps.cache_clear()
-        times = [time.perf_counter()]
-        verify(preset(name).document, report=lambda _finding, times=times: times.append(time.perf_counter()))
-        longest.append(1e3 * max(after - before for before, after in itertools.pairwise(times)))
-        total.append(1e3 * (times[-1] - times[0]))
-    row("longest wait for a verdict, ms", name, statistics.median(longest), at_most=LONGEST_WAIT)
-    row("verify, ms", name, statistics.median(total))
+def test_findings(record, name):
+    document = preset(name).document
+    verify(document)  # what every document shares is computed once
+    runs = [[waits(document) for _ in range(ROUNDS)] for _ in range(RUNS)]
+    record(f"verify wait {name}", [statistics.median(map(max, run)) for run in runs])
+    record(f"verify {name}", [statistics.median(map(sum, run)) for run in runs])
 
 
-def test_command(row):
-    seconds = []
-    for _ in range(5):
-        start = time.perf_counter()
-        assert qovr("verify", "paper:fig5").code == 0
-        seconds.append(time.perf_counter() - start)
-    row("qovr verify paper:fig5, s", "fig5", statistics.median(seconds), at_most=LONGEST_COMMAND)
+def test_command(measure):
+    measure("verify command", lambda: qovr("verify", "paper:fig5"), rounds=2)

@@ -1,5 +1,6 @@
-"""The comparison: the closest points, all measures, and the command."""
+"""The comparison: the closest points, all measures, the longest wait for the next surface's, and the command."""
 
+import itertools
 import statistics
 import time
 
@@ -13,38 +14,32 @@ from qovr_core.laboratory.splines import b_spline
 from qovr_core.presets import preset
 from support.command import qovr
 
-from .conftest import MEDIANS
+from .timing import RUNS
 
-RUNS = 10
-LONGEST_SEARCH = 0.1
-"""Seconds for the 10,201 points of the paper's grid."""
-
-LONGEST_COMMAND = 2.0
-"""Seconds, the interpreter's start included."""
+ROUNDS = 4
 
 
-def test_closest_points(measure, row):
+def test_closest_points(measure):
     document = preset("fig8").document
     patch, grid = Evaluation(document).transformed_patch, parameters(101)
     points = b_spline(document.control_points).points(grid, grid).reshape(-1, 3)
-    measure("closest points", 101, lambda: closest_points(patch, points))
-    row("closest points: part of 0.1 s", 101, MEDIANS["closest points", 101] / LONGEST_SEARCH, at_most=1)
+    measure("closest points", lambda: closest_points(patch, points))
+
+
+def waits(document):
+    """Return the milliseconds before each surface's measures."""
+    times = [time.perf_counter()]
+    compare(document, report=lambda _name, _measures: times.append(time.perf_counter()))
+    return [1e3 * (after - before) for before, after in itertools.pairwise(times)]
 
 
 @pytest.mark.parametrize("name", ["fig5", "fig6c", "fig8"])
-def test_measures(row, name):
-    seconds = []
-    for _ in range(RUNS):
-        start = time.perf_counter()
-        compare(preset(name).document)
-        seconds.append(time.perf_counter() - start)
-    row("compare, ms", name, 1e3 * statistics.median(seconds))
+def test_measures(record, name):
+    document = preset(name).document
+    runs = [[waits(document) for _ in range(ROUNDS)] for _ in range(RUNS)]
+    record(f"compare wait {name}", [statistics.median(map(max, run)) for run in runs])
+    record(f"compare {name}", [statistics.median(map(sum, run)) for run in runs])
 
 
-def test_command(row):
-    seconds = []
-    for _ in range(5):
-        start = time.perf_counter()
-        assert qovr("compare", "paper:fig5").code == 0
-        seconds.append(time.perf_counter() - start)
-    row("qovr compare paper:fig5, s", "fig5", statistics.median(seconds), at_most=LONGEST_COMMAND)
+def test_command(measure):
+    measure("compare command", lambda: qovr("compare", "paper:fig5"), rounds=2)

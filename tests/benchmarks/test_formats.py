@@ -14,13 +14,11 @@ from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.progress import silent
 from support.documents import random_document
 
-from .conftest import MEDIANS
+from .goals import WRITERS
 
 SIZE = 501
 LARGE = 1001
 SMALL = 101
-MESHES = (".obj", ".stl", ".ply", ".glb")
-BARE = {".obj": "trimesh", ".stl": "trimesh", ".ply": "trimesh", ".glb": "trimesh", ".npz": "NumPy", ".mat": "SciPy"}
 
 
 def surface(size):
@@ -58,16 +56,11 @@ def bare_write(path, result):
         os.fsync(file.fileno())
 
 
-@pytest.mark.parametrize("suffix", BARE)
-def test_bare_library(measure, suffix, tmp_path):
-    result, path = surface(SIZE), tmp_path / f"a{suffix}"
-    measure(f"bare {suffix}", SIZE, lambda: bare_write(path, result), rounds=7)
-
-
-@pytest.mark.parametrize("suffix", BARE)
+@pytest.mark.parametrize("suffix", WRITERS)
 def test_writer(measure, suffix, tmp_path):
-    result, path = surface(SIZE), tmp_path / f"a{suffix}"
-    measure(f"our {suffix}", SIZE, lambda: format_for(path).write(result, path, silent), rounds=7)
+    result, ours, theirs = surface(SIZE), tmp_path / f"ours{suffix}", tmp_path / f"theirs{suffix}"
+    write = format_for(ours).write
+    measure(f"write {suffix}", lambda: write(result, ours, silent), lambda: bare_write(theirs, result), rounds=3)
 
 
 def bare_3dm(path, points):
@@ -87,34 +80,20 @@ def bare_3dm(path, points):
     assert model.Write(str(path), 8)
 
 
-def test_cad_writers(measure, tmp_path):
-    result = surface(SMALL)
-    measure("bare .3dm", SMALL, lambda: bare_3dm(tmp_path / "a.3dm", result.patch.coefficients[0, 0]))
-
-
 @pytest.mark.parametrize("suffix", [".step", ".iges", ".3dm"])
 def test_cad_writer(measure, suffix, tmp_path):
     result, path = surface(SMALL), tmp_path / f"a{suffix}"
-    measure(f"our {suffix}", SMALL, lambda: format_for(path).write(result, path, silent))
+    bare = lambda: bare_3dm(tmp_path / "bare.3dm", result.patch.coefficients[0, 0])  # noqa: E731
+    measure(f"write {suffix}", lambda: format_for(path).write(result, path, silent), bare)
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".glb"])
-def test_large_mesh(measure, row, suffix, tmp_path):
+def test_large_mesh(measure, record, suffix, tmp_path):
     result, path = surface(LARGE), tmp_path / f"a{suffix}"
-    measure(f"large {suffix}", LARGE, lambda: format_for(path).write(result, path, silent), rounds=3)
-    row(f"seconds to {suffix}", f"{LARGE} x {LARGE}", MEDIANS[f"large {suffix}", LARGE], at_most=5)
+    write = lambda: format_for(path).write(result, path, silent)  # noqa: E731
+    measure(f"write large {suffix}", write, rounds=2)
     tracemalloc.start()
-    format_for(path).write(result, path, silent)
+    write()
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
-    row(f"peak memory of {suffix}, MB", f"{LARGE} x {LARGE}", peak / 1e6)
-
-
-def test_ratios(row):
-    """Not a measurement: it turns the medians above into the table."""
-    for suffix, library in BARE.items():
-        ratio = MEDIANS[f"our {suffix}", SIZE] / MEDIANS[f"bare {suffix}", SIZE]
-        row(f"{suffix} / {library}", f"{SIZE} x {SIZE}", ratio, at_most=1.25)
-    for suffix in (".step", ".iges", ".3dm"):
-        row(f"milliseconds to {suffix}", f"{SMALL} x {SMALL}", 1e3 * MEDIANS[f"our {suffix}", SMALL])
-    row(".3dm with net and points / rhino3dm", "surface only", MEDIANS["our .3dm", SMALL] / MEDIANS["bare .3dm", SMALL])
+    record(f"memory {suffix}", [peak / 1e6])

@@ -16,9 +16,6 @@ pytest.importorskip("PySide6")
 
 SIZE = (1280, 720)
 FRAMES = 500
-LONGEST = 30.0
-"""Milliseconds that 99 of 100 frames take at most."""
-
 SAMPLES = {"orbit.csv": (401, 401), "orbit.xlsx": (301, 301)}
 
 
@@ -96,18 +93,16 @@ def run_export(orbit, path, samples):
     return lambda: done
 
 
-def test_frames_beside_what_takes_time(orbit, row, tmp_path):
+def test_frames_beside_what_takes_time(orbit, record, tmp_path):
     alone = orbit.frames_until(lambda: True, FRAMES)
-    parts = {name: orbit.frames_until(show(orbit, name)) for name in ("claims", "comparison")}
+    parts = [orbit.frames_until(show(orbit, name)) for name in ("claims", "comparison")]
     for name, samples in SAMPLES.items():
-        parts[name] = orbit.frames_until(run_export(orbit, tmp_path / name, samples))
-    beside = np.concatenate(list(parts.values()))
+        parts.append(orbit.frames_until(run_export(orbit, tmp_path / name, samples)))
+    beside = np.concatenate(parts)
     while len(beside) < FRAMES:
         beside = np.append(beside, orbit.frames_until(run_export(orbit, tmp_path / "again.csv", SAMPLES["orbit.csv"])))
     for name in SAMPLES:
         assert (tmp_path / name).is_file()
-    for what, taken in (("alone", alone), *parts.items(), ("beside all", beside)):
-        goal = LONGEST if what == "beside all" else None
-        row(f"frame, {what}: median, ms", f"{len(taken)} frames", np.median(taken))
-        row(f"frame, {what}: 99 %, ms", "", np.percentile(taken, 99), at_most=goal)
-        row(f"frame, {what}: longest, ms", "", np.max(taken))
+    record("frames alone", [np.median(alone)])
+    record("frames beside", [np.percentile(beside, 99)])
+    record("frames longest", [np.max(beside)])

@@ -1,12 +1,8 @@
-"""The view against pyqtgraph's own surface item, against merely orbiting, and against an empty view's start."""
+"""The view against pyqtgraph's own surface item, and against merely orbiting."""
 
-import gc
-import os
-import subprocess
-import sys
+import itertools
 import time
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -16,16 +12,11 @@ from qovr_core.presets import preset
 
 pytest.importorskip("PySide6")
 
-SIZE = (800, 600)
-SIZES = (101, 401, 1001)
-GOALS = {101: 4, 401: 40, 1001: 200}
-STOCK_EDITS = {101: 15, 401: 5, 1001: 2}
-EDITS = 60
-MANY_EDITS = 20_000
-GROWTH_FROM = 2_500
-"""Edits after which the history is full, and gives its oldest step up at every new one."""
+from .timing import RUNS
 
-OPENINGS = 200
+SIZE = (800, 600)
+STOCK_EVERY = {101: 1, 401: 5, 1001: 15}
+EDITS = 20
 
 
 class Bench:
@@ -89,6 +80,10 @@ class Bench:
         """Return the seconds from each act to its finished frame."""
         return [self.frame(act, k) for k in range(count)]
 
+    def milliseconds(self, act, count=EDITS):
+        """Return the median milliseconds from an act to its finished frame."""
+        return 1e3 * float(np.median(self.timed(act, count)))
+
     def frame(self, act, k):
         start, before = time.perf_counter(), self.painted
         act(k)
@@ -117,51 +112,65 @@ def bench(app):
     made.view.deleteLater()
 
 
-def stock_seconds(application, document, count):
-    """Return the seconds of each edit with pyqtgraph's own item, normals and light included."""
-    import pyqtgraph.opengl as gl
+class Stock:
+    """A view with pyqtgraph's own surface item, normals and light included, of all samples of a document."""
 
-    class Stock(gl.GLViewWidget):
-        painted = 0
+    def __init__(self, application, document):
+        import pyqtgraph.opengl as gl
 
-        def paintGL(self):
-            super().paintGL()
-            self.painted += 1
+        class View(gl.GLViewWidget):
+            painted = 0
 
-    view = Stock()
-    view.resize(*SIZE)
-    n, _ = document.samples
-    axis = np.linspace(-5, 5, n)
-    heights = 10 * configure(document).transformed[..., 2]
-    item = gl.GLSurfacePlotItem(x=axis, y=axis, z=heights, shader="shaded", computeNormals=True, smooth=True)
-    view.addItem(item)
-    view.show()
-    seconds = []
-    for k in range(count + 1):
-        start, before = time.perf_counter(), view.painted
-        edited = edits.set_point(document, 2, 2, (2.0, 2.0, 0.5 + 0.1 * np.sin(k + 1)))
-        item.setData(z=10 * configure(edited).transformed[..., 2])
-        while view.painted == before:
-            application.processEvents()
-        finish(view)
-        seconds.append(time.perf_counter() - start)
-    view.close()
-    view.deleteLater()
-    return seconds[1:]
+            def paintGL(self):
+                super().paintGL()
+                self.painted += 1
+
+        self.application, self.document, self.view = application, document, View()
+        self.view.resize(*SIZE)
+        axis = np.linspace(-5, 5, document.samples[0])
+        look = {"shader": "shaded", "computeNormals": True, "smooth": True}
+        self.item = gl.GLSurfacePlotItem(x=axis, y=axis, z=self.heights(document), **look)
+        self.view.addItem(self.item)
+        self.view.show()
+
+    def heights(self, document):
+        return 10 * configure(document).transformed[..., 2]
+
+    def edit(self, k):
+        """Edit a point and wait for the finished frame."""
+        before = self.view.painted
+        edited = edits.set_point(self.document, 2, 2, (2.0, 2.0, 0.5 + 0.1 * float(np.sin(k + 1))))
+        self.item.setData(z=self.heights(edited))
+        while self.view.painted == before:
+            self.application.processEvents()
+        finish(self.view)
+
+    def close(self):
+        self.view.close()
+        self.view.deleteLater()
 
 
-@pytest.mark.parametrize("size", SIZES)
-def test_an_edit_with_its_redraw(bench, row, size):
+def counting(act):
+    """Return a call that counts how often it was called, for acts that are to differ each time."""
+    count = itertools.count()
+    return lambda: act(next(count))
+
+
+def edited(bench):
+    """Return a call that edits a point and waits for the finished frame."""
+    return counting(lambda k: bench.frame(bench.edit, k))
+
+
+@pytest.mark.parametrize("size", STOCK_EVERY)
+def test_an_edit_with_its_redraw(bench, record, measure, size):
     bench.dispatch("SamplesChosen", (size, size))
-    document = bench.store.state.document
     bench.settle()
     bench.timed(bench.edit, 5)
-    ours = np.median(bench.timed(bench.edit))
-    orbit = np.median(bench.timed(bench.orbit))
-    stock = np.median(stock_seconds(bench.application, document, STOCK_EDITS[size]))
-    at = f"{size} x {size}"
-    row("stock surface item / edit with redraw", at, stock / ours, at_least=GOALS[size])
-    row("orbiting / edit with redraw", at, orbit / ours, at_least=0.85 if size == 101 else None)
+    runs = [[bench.milliseconds(act, 3 * EDITS) for act in (bench.edit, bench.orbit)] for _ in range(RUNS)]
+    record(f"edit/orbit {size}", *np.transpose(runs))
+    stock = Stock(bench.application, bench.store.state.document)
+    measure(f"stock {size}", edited(bench), counting(stock.edit), every=STOCK_EVERY[size])
+    stock.close()
 
 
 @pytest.fixture
@@ -183,116 +192,43 @@ def colour_by(bench, name):
     bench.dispatch("DisplayChosen", "colour_by", name)
 
 
+def switch_seconds(bench, name, k):
+    """Return the seconds of drawing the same picture once more, and of switching to a field not asked for before."""
+    colour_by(bench, "height")
+    bench.frame(bench.edit, k)
+    bench.settle(0.3)
+    plain = bench.frame(lambda _: bench.view.viewports[0].update(), k)
+    return bench.frame(lambda _: colour_by(bench, name), k), plain
+
+
 @pytest.mark.parametrize("name", ["gaussian", "sensitivity", "zebra", "isophotes"])
-def test_switching_what_colours_the_surface(coloured, row, name):
-    """To a field that was not asked for before, against drawing the same picture once more."""
-    plain, switched = [], []
-    for k in range(20):
-        colour_by(coloured, "height")
-        coloured.frame(coloured.edit, k)
-        coloured.settle(0.3)
-        plain.append(coloured.frame(lambda _: coloured.view.viewports[0].update(), k))
-        switched.append(coloured.frame(lambda _: colour_by(coloured, name), k))
-    row(f"switch to {name} / plain redraw", "101 x 101", np.median(switched) / np.median(plain), at_most=2)
+def test_switching_what_colours_the_surface(coloured, record, name):
+    runs = [np.median([switch_seconds(coloured, name, 9 * run + k) for k in range(9)], axis=0) for run in range(RUNS)]
+    record(f"switch {name}", *(1e3 * np.transpose(runs)))
 
 
 @pytest.mark.parametrize("name", ["gaussian", "distance", "sensitivity", "zebra", "isophotes"])
-def test_an_edit_in_other_colours(coloured, row, name):
-    medians = {}
-    for by in ("height", name):
+def test_an_edit_in_other_colours(coloured, record, name):
+    found = {name: [], "height": []}
+    for _, by in itertools.product(range(RUNS), found):
         colour_by(coloured, by)
         coloured.settle(0.3)
         coloured.timed(coloured.edit, 5)
-        medians[by] = np.median(coloured.timed(coloured.edit))
-    goal = None if name == "distance" else 1.5
-    row(f"edit with {name} / with height", "101 x 101", medians[name] / medians["height"], at_most=goal)
+        found[by].append(coloured.milliseconds(coloured.edit, 2 * EDITS))
+    record(f"edit {name}", *found.values())
 
 
-def test_from_a_drag_event_to_its_frame(bench, row):
-    """Real mouse events on a control point; milliseconds, which hold for this machine only."""
+def test_from_a_drag_event_to_its_frame(bench, record):
+    """Real mouse events on a control point."""
     from PySide6.QtCore import QPoint, Qt
     from PySide6.QtTest import QTest
 
     viewport = bench.view.viewports[0]
-    picture = bench.view.picture()
-    start = bench.view.camera.project(picture.scene.points[2, 2], SIZE)
+    start = bench.view.camera.project(bench.view.picture().scene.points[2, 2], SIZE)
     place = QPoint(round(start[0]), round(start[1]))
     QTest.mousePress(viewport, Qt.MouseButton.LeftButton, pos=place)
-    seconds = bench.timed(lambda k: QTest.mouseMove(viewport, place + QPoint(k % 40, 6 + k % 17)), 200)
+    move = lambda k: QTest.mouseMove(viewport, place + QPoint(k % 40, 6 + k % 17))  # noqa: E731
+    runs = [np.percentile(bench.timed(move, 100), (50, 99)) for _ in range(RUNS)]
     QTest.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=place)
-    row("drag event to finished frame, median, ms", "101 x 101", 1e3 * np.median(seconds))
-    row("drag event to finished frame, 99 %, ms", "101 x 101", 1e3 * np.percentile(seconds, 99))
-
-
-EMPTY_VIEW = """
-import sys
-from PySide6.QtWidgets import QApplication
-import pyqtgraph.opengl as gl
-class View(gl.GLViewWidget):
-    def paintGL(self):
-        super().paintGL()
-        QApplication.exit(0)
-app = QApplication(sys.argv)
-view = View(); view.resize(1280, 800); view.show()
-app.exec()
-"""
-
-EDITOR = """
-import sys
-sys.argv = ["qovr"]
-from PySide6.QtWidgets import QApplication
-from PySide6.QtCore import QTimer
-from qovr_app import main as program
-from qovr_app.view3d import view
-make = program.create_window
-def watched(*arguments):
-    window = make(*arguments)
-    ask = QTimer(window, interval=0)
-    def listen():
-        found = window.findChildren(view.View3D)
-        if found:
-            ask.stop()
-            found[0].frame_painted.connect(lambda: QApplication.exit(0))
-    ask.timeout.connect(listen)
-    ask.start()
-    return window
-program.create_window = watched
-program.main()
-"""
-
-
-def test_cold_start(row, app):
-    seconds = {"editor": [], "empty": []}
-    for _ in range(7):
-        for name, code in (("empty", EMPTY_VIEW), ("editor", EDITOR)):
-            start = time.perf_counter()
-            subprocess.run([sys.executable, "-c", code], check=True)
-            seconds[name].append(time.perf_counter() - start)
-    ratio = np.median(seconds["editor"]) / np.median(seconds["empty"])
-    row("start of qovr / start of an empty GLViewWidget", "", ratio, at_most=1.35)
-
-
-def resident_megabytes():
-    with Path("/proc/self/statm").open(encoding="ascii") as file:
-        return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE") / 1e6
-
-
-def test_memory_over_many_edits_and_openings(bench, row):
-    from OpenGL.GL import GL_NO_ERROR, glGetError
-
-    for k in range(GROWTH_FROM):
-        bench.frame(bench.step, k)
-    gc.collect()
-    before, references = resident_megabytes(), sys.getrefcount(None)
-    for k in range(GROWTH_FROM, GROWTH_FROM + MANY_EDITS):
-        bench.frame(bench.step, k)
-    for k in range(OPENINGS):
-        name = ("fig6b", "fig8")[k % 2]
-        bench.frame(lambda _, name=name: bench.dispatch("Opened", preset(name).document, name), k)
-    gc.collect()
-    assert sys.getrefcount(None) >= references  # a reference lost at every edit would end the process in time
-    viewport = bench.view.viewports[0]
-    viewport.makeCurrent()
-    assert glGetError() == GL_NO_ERROR
-    viewport.doneCurrent()
-    row("growth over 20,000 edits and 200 openings, MB", "101 x 101", resident_megabytes() - before, at_most=10)
+    for key, seconds in zip(("drag median", "drag 99"), np.transpose(runs), strict=True):
+        record(key, 1e3 * seconds)
