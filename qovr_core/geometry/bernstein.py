@@ -94,6 +94,22 @@ def derivative(coefficients: Array, axis: int) -> Array:
     return result
 
 
+def partial_derivative(coefficients: Array, orders: tuple[int, int], axes: tuple[int, int]) -> Array:
+    """Return the Bernstein coefficients of a partial derivative along two axes, of an order from 0 along each.
+
+    Raises
+    ------
+    ValueError : an order is outside 0 to the degree
+    """
+    for order, axis in zip(orders, axes, strict=True):
+        degree = coefficients.shape[axis] - 1
+        if not 0 <= order <= degree:
+            raise ValueError(f"derivative orders are {orders[0]} and {orders[1]}; expected 0 to {degree}")
+        for _ in range(order):
+            coefficients = derivative(coefficients, axis)
+    return coefficients
+
+
 @cache
 def halving(degree: int) -> tuple[Array, Array]:
     """Return the matrices (degree + 1, degree + 1) that restrict coefficients to [0, 1/2] and to [1/2, 1]."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from typing import Protocol
@@ -51,6 +51,9 @@ class ParametricSurface(Protocol):
     def transformed(self, matrix: npt.ArrayLike) -> ParametricSurface:
         """Return the surface mapped by a (4, 4) affine matrix that acts on columns [x y z 1]."""
 
+
+_SINGULAR = 1e-12
+"""|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
 
 _NO_DIRECTION = np.array([0.0, 0.0, 1.0])
 
@@ -136,6 +139,11 @@ def normals(surface: ParametricSurface, u: npt.ArrayLike, v: npt.ArrayLike, *, s
         sum(ends) / 2 - np.asarray(x, dtype=np.float64) for x, ends in zip((u, v), surface.domain, strict=True)
     )
     return unit_normals(partial(surface.derivative, u, v), (to_u, to_v), singular=singular)
+
+
+def rounding_of_a_normal(tangents: Iterable[Array]) -> float:
+    """Return the length below which S_u x S_v is no more than rounding, by the coefficients of S_u and of S_v."""
+    return float(_SINGULAR * np.prod([np.abs(each).max() for each in tangents]))
 
 
 def unit_normals(derivative: Derivative, inward: tuple[Array, Array], *, singular: float) -> Array:

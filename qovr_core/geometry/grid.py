@@ -9,16 +9,19 @@ one piece, so that the cost grows with samples and with pieces, never with both 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+import threading
+from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache
-from itertools import pairwise
-from typing import TypeVar
+from itertools import islice, pairwise
+from math import prod
+from typing import Any, TypeVar
 
 import numpy as np
+import numpy.typing as npt
 
-from qovr_core.arrays import Array, Indices
+from qovr_core.arrays import Array, Indices, checked_out
 
 BLOCK_BYTES = 288 * 1024
 """Result of one block: it stays in a core's cache, and OpenBLAS, which threads products beyond 2^18 multiplications
@@ -44,14 +47,55 @@ class PieceBasis:
     ----------
     values : (k, degree + 1), rows by piece
     starts : (pieces + 1,) the first row of each piece, and the number of rows
+    order : (k,) which parameter each row is of; None where they are in order
     """
 
     values: Array
     starts: Sequence[int]
+    order: Indices | None = None
 
-    def rows(self, piece: int) -> slice:
-        """Return the rows of a piece."""
-        return slice(self.starts[piece], self.starts[piece + 1])
+    @property
+    def parameters(self) -> Indices:
+        """Which parameter each row is of, (k,)."""
+        return np.arange(len(self.values)) if self.order is None else self.order
+
+
+class _Scratch(threading.local):
+    """Arrays that a thread uses again: what is thrown away after every grid would be new memory each time."""
+
+    def __init__(self) -> None:
+        self._held: dict[str, Array] = {}
+
+    def array(self, name: str, *shape: int) -> Array:
+        """Return an array of any content, which is good until the next one of this name."""
+        size = prod(shape)
+        held = self._held.get(name)
+        if held is None or held.size < size:
+            held = np.empty(size)
+            if held.nbytes <= TABLE_BYTES:
+                self._held[name] = held
+        return held[:size].reshape(shape)
+
+
+_scratch = _Scratch()
+
+
+@dataclass(frozen=True)
+class _Blocks:
+    """The rows of some pieces along u in blocks of so many that they stay in a core's cache."""
+
+    starts: Sequence[int]
+    pieces: range
+    rows: int
+
+    def __len__(self) -> int:
+        return sum(-(-(self.starts[k + 1] - self.starts[k]) // self.rows) for k in self.pieces)
+
+    def __iter__(self) -> Iterator[_Block]:
+        for piece in self.pieces:
+            start, stop = self.starts[piece], self.starts[piece + 1]
+            for k in range(start, stop, self.rows):
+                yield piece, slice(k, min(k + self.rows, stop))
 
 
 def _alike(basis: PieceBasis) -> list[range]:
@@ -64,12 +108,13 @@ def _alike(basis: PieceBasis) -> list[range]:
 def _table(coefficients: Array, along_v: PieceBasis) -> Array:
     """Return (n, a, d M) for pieces (m, n, a, b, d): for every coefficient along u, the points of its curve in v."""
     m, n, a, b, d = coefficients.shape
-    table = np.empty((n, a, len(along_v.values), d))
+    table = _scratch.array("table", n, a, len(along_v.values), d)
     across = coefficients.transpose(0, 3, 1, 2, 4).reshape(m, b, n * a * d)
     for pieces in _alike(along_v):
         rows = slice(along_v.starts[pieces.start], along_v.starts[pieces.stop])
         bases = along_v.values[rows].reshape(len(pieces), -1, b)
-        values = bases @ across[pieces.start : pieces.stop]
+        values = _scratch.array("along v", *bases.shape[:2], n * a * d)
+        np.matmul(bases, across[pieces.start : pieces.stop], out=values)
         table[:, :, rows] = values.reshape(-1, n, a, d).transpose(1, 2, 0, 3)
     return table.reshape(n, a, -1)
 
@@ -86,24 +131,26 @@ def _pool() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(_threads(), thread_name_prefix="qovr-grid")
 
 
-def _over_blocks(blocks: list[_Block], size: int, work: Callable[[list[_Block]], _Partial]) -> list[_Partial]:
+def _over_blocks(blocks: _Blocks, size: int, work: Callable[[Iterator[_Block]], _Partial]) -> list[_Partial]:
     """Run ``work`` on blocks, in as many threads as the size of their result, in bytes, is worth."""
-    workers = min(_threads(), len(blocks)) if size >= THREADED_BYTES else 1
-    if workers <= 1:  # none where pieces are so short that no parameter lies in them
-        return [work(blocks)]
-    cuts = [len(blocks) * k // workers for k in range(workers + 1)]
-    others = [_pool().submit(work, blocks[a:b]) for a, b in pairwise(cuts[1:])]
-    return [work(blocks[: cuts[1]]), *(other.result() for other in others)]
+    if size < THREADED_BYTES:
+        return [work(iter(blocks))]
+    count = len(blocks)
+    workers = max(1, min(_threads(), count))  # none where pieces are so short that no parameter lies in them
+    first, *rest = (islice(blocks, count * k // workers, count * (k + 1) // workers) for k in range(workers))
+    others = [_pool().submit(work, part) for part in rest]
+    return [work(first), *(other.result() for other in others)]
 
 
-def _blocks(basis: PieceBasis, pieces: range, row_bytes: int) -> list[_Block]:
-    """Return the rows of some pieces in blocks that stay in a core's cache."""
-    step = max(1, BLOCK_BYTES // row_bytes)
-    return [
-        (piece, slice(k, min(k + step, basis.starts[piece + 1])))
-        for piece in pieces
-        for k in range(basis.starts[piece], basis.starts[piece + 1], step)
-    ]
+def _rows_in_block(row_bytes: int) -> int:
+    """Return how many rows stay in a core's cache together."""
+    return max(1, BLOCK_BYTES // max(row_bytes, 1))
+
+
+def blocks(along_u: PieceBasis, width: int) -> Iterator[Indices]:
+    """Yield the parameters along u, as they are worked on together where every one gives so many numbers."""
+    parameters, rows = along_u.parameters, _rows_in_block(along_u.values.itemsize * width)
+    return (parameters[some] for _, some in _Blocks(along_u.starts, range(len(along_u.starts) - 1), rows))
 
 
 def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
@@ -124,97 +171,47 @@ def evaluate(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
 
 
 @np.errstate(under="ignore")  # what underflows is nothing
-def evaluate_pieces(coefficients: Array, along_u: PieceBasis, along_v: PieceBasis) -> Array:
+def evaluate_pieces(
+    coefficients: Array, along_u: PieceBasis, along_v: PieceBasis, out: npt.NDArray[Any] | None = None
+) -> npt.NDArray[Any]:
     """Return the points of a piecewise tensor-product polynomial.
 
     Parameters
     ----------
     coefficients : (m, n, a, b, d), the pieces' order along v first, inside each u first
     along_u, along_v : the bases for N parameters in n pieces, and for M in m
+    out : (N, M, d) to write to; see ``arrays.checked_out``
 
     Returns
     -------
-    (N, M, d) float64, u along the first axis
+    (N, M, d) float64, u along the first axis; or ``out``
     """
     n, a, d = coefficients.shape[1], coefficients.shape[2], coefficients.shape[4]
     rows, width = len(along_u.values), len(along_v.values) * d
-    points = np.empty((rows, len(along_v.values), d))
-    flat = points.reshape(rows, width)
-    row_bytes = points.itemsize * width
+    points = checked_out(out, (rows, len(along_v.values), d))
+    if along_u.order is not None or along_v.order is not None:
+        by_u, by_v = (PieceBasis(basis.values, basis.starts) for basis in (along_u, along_v))
+        points[np.ix_(along_u.parameters, along_v.parameters)] = evaluate_pieces(coefficients, by_u, by_v)
+        return points
+    flat = points.reshape(rows, width) if points.flags.c_contiguous and points.dtype == np.float64 else None
+    row_bytes = coefficients.itemsize * width
     together = max(1, TABLE_BYTES // max(a * row_bytes, 1))
     for first in range(0, n, together):
         pieces = range(first, min(first + together, n))
         table = _table(coefficients[:, first : pieces.stop], along_v)
 
-        def work(blocks: list[_Block], table: Array = table, first: int = first) -> None:
+        def work(blocks: Iterator[_Block], table: Array = table, first: int = first) -> None:
             for piece, some in blocks:
-                np.matmul(along_u.values[some], table[piece - first], out=flat[some])
+                u = along_u.values[some]
+                if flat is not None:
+                    np.matmul(u, table[piece - first], out=flat[some])
+                else:
+                    block = np.matmul(u, table[piece - first], out=_scratch.array("block", len(u), width))
+                    points[some] = block.reshape(len(u), -1, d)
 
-        _over_blocks(_blocks(along_u, pieces, max(row_bytes, 1)), points.nbytes, work)
+        _over_blocks(_Blocks(along_u.starts, pieces, _rows_in_block(row_bytes)), rows * row_bytes, work)
         del table, work  # before the next one is made
     return points
-
-
-@np.errstate(under="ignore")  # what underflows is nothing
-def evaluate_scattered(coefficients: Array, basis_u: Array, basis_v: Array) -> Array:
-    """Return the values of a tensor-product polynomial at k places.
-
-    Parameters
-    ----------
-    coefficients : (a, b, d)
-    basis_u, basis_v : (k, a) and (k, b), one row a place
-
-    Returns
-    -------
-    (k, d) float64
-    """
-    a, b, d = coefficients.shape
-    table = coefficients.reshape(a, b * d)
-    values = np.empty((len(basis_u), d))
-    step = max(1, BLOCK_BYTES // (table.itemsize * b * d))
-    for k in range(0, len(values), step):
-        places = slice(k, k + step)
-        along_v = (basis_u[places] @ table).reshape(-1, b, d)
-        np.einsum("kb,kbd->kd", basis_v[places], along_v, out=values[places])
-    return values
-
-
-def asked_pieces(coefficients: Array, pieces: tuple[Indices, Indices]) -> tuple[Array, tuple[Indices, Indices]]:
-    """Return of a piecewise polynomial (m, n, ...) only the pieces that are asked, and which of them each place asks.
-
-    Parameters
-    ----------
-    pieces : for every place the piece's number along v and along u, (k,) each
-    """
-    if coefficients.shape[:2] == (1, 1):
-        return coefficients, pieces
-    (a, b), number = np.unique(pieces, axis=1, return_inverse=True)
-    return coefficients[None, a, b], (np.zeros_like(number), number)
-
-
-@np.errstate(under="ignore")  # what underflows is nothing
-def evaluate_scattered_pieces(
-    coefficients: Array, pieces: tuple[Indices, Indices], basis_u: Array, basis_v: Array
-) -> Array:
-    """Return the values of a piecewise tensor-product polynomial at k places, (k, d).
-
-    Parameters
-    ----------
-    coefficients : (m, n, a, b, d)
-    pieces : for every place the piece's number along v and along u, (k,) each
-    basis_u, basis_v : (k, a) and (k, b), one row a place
-    """
-    m, n, a, b, d = coefficients.shape
-    if m * n == 1:
-        return evaluate_scattered(coefficients[0, 0], basis_u, basis_v)
-    values = np.empty((len(basis_u), d))
-    step = max(1, BLOCK_BYTES // (coefficients.itemsize * a * b * d))
-    for k in range(0, len(values), step):
-        places = slice(k, k + step)
-        own = coefficients[pieces[0][places], pieces[1][places]].reshape(-1, a, b * d)
-        along_v = (basis_u[places, None] @ own).reshape(-1, b, d)
-        np.einsum("kb,kbd->kd", basis_v[places], along_v, out=values[places])
-    return values
 
 
 @np.errstate(under="ignore")  # what underflows is nothing
@@ -227,17 +224,16 @@ def box(coefficients: Array, along_u: PieceBasis, along_v: PieceBasis) -> Array:
     table = _table(coefficients, along_v)
     row_bytes = table.itemsize * m * d
 
-    def work(blocks: list[_Block]) -> tuple[Array, Array]:
+    def work(blocks: Iterator[_Block]) -> tuple[Array, Array]:
         low, high = np.full(m * d, np.inf), np.full(m * d, -np.inf)
-        held = np.empty((max(rows.stop - rows.start for _, rows in blocks), m * d))
         for piece, rows in blocks:
             u = along_u.values[rows]
-            block = held[: len(u)]
-            np.matmul(u, table[piece], out=block)
+            block = np.matmul(u, table[piece], out=_scratch.array("block", len(u), m * d))
             np.minimum(low, block.min(axis=0), out=low)
             np.maximum(high, block.max(axis=0), out=high)
         return low.reshape(m, d).min(axis=0), high.reshape(m, d).max(axis=0)
 
-    parts = _over_blocks(_blocks(along_u, range(n), row_bytes), len(along_u.values) * row_bytes, work)
+    blocks_ = _Blocks(along_u.starts, range(n), _rows_in_block(row_bytes))
+    parts = _over_blocks(blocks_, len(along_u.values) * row_bytes, work)
     low, high = (np.array(bounds) for bounds in zip(*parts, strict=True))
     return np.stack([low.min(axis=0), high.max(axis=0)], axis=1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property, lru_cache
 
 import numpy as np
 import numpy.typing as npt
@@ -42,7 +43,7 @@ class Located:
         """The window plus where in it, (k,)."""
         return read_only(self.window + self.local)
 
-    def __getitem__(self, part: slice) -> Located:
+    def __getitem__(self, part: slice | Indices) -> Located:
         return Located(self.window[part], self.local[part], self.lengths)
 
     def basis(self, degree: int, order: int) -> Array:
@@ -52,15 +53,24 @@ class Located:
             values = values / self.lengths[self.window, None] ** order
         return values
 
-    def by_window(self, degree: int, order: int) -> tuple[PieceBasis, Indices | None]:
-        """Return the same by window, and the order in which its rows stand; None where they are in order already."""
+    def by_window(self, degree: int, order: int) -> PieceBasis:
+        """Return the same by window; it is computed once."""
+        if (degree, order) not in self._by_window:
+            self._by_window[degree, order] = self._sorted_by_window(degree, order)
+        return self._by_window[degree, order]
+
+    @cached_property
+    def _by_window(self) -> dict[tuple[int, int], PieceBasis]:
+        return {}
+
+    def _sorted_by_window(self, degree: int, order: int) -> PieceBasis:
         values, ordered = self.basis(degree, order), None
         window = self.window
         if (np.diff(window) < 0).any():
             ordered = np.argsort(window, kind="stable")
             values, window = values[ordered], window[ordered]
         starts = np.searchsorted(window, np.arange(len(self.lengths) + 1))
-        return PieceBasis(values, starts.tolist()), ordered
+        return PieceBasis(values, starts.tolist(), ordered)
 
 
 Parameters = npt.ArrayLike | Located
@@ -110,10 +120,16 @@ def spread(samples: int, windows: int) -> Indices:
 def even(intervals: Indices, *, from_both_sides: bool = False) -> Located:
     """Return the evenly spaced parameters of each window, with so many intervals; the joints once, or from both sides.
 
-    The windows count as of length 1, so that derivatives are those by each window's own parameter.
+    The windows count as of length 1, so that derivatives are those by each window's own parameter. What is asked again,
+    as it is in every frame of a drag, is known.
     """
-    made = {count: np.linspace(0.0, 1.0, count + 1) for count in set(intervals.tolist())}
-    local = [made[count] for count in intervals.tolist()]
+    return _even(tuple(intervals.tolist()), from_both_sides)
+
+
+@lru_cache(maxsize=8)
+def _even(intervals: tuple[int, ...], from_both_sides: bool) -> Located:
+    made = {count: np.linspace(0.0, 1.0, count + 1) for count in set(intervals)}
+    local = [made[count] for count in intervals]
     if not from_both_sides:
         local[:-1] = [places[:-1] for places in local[:-1]]
     window = np.repeat(np.arange(len(intervals)), [len(places) for places in local])

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from qovr_core.arrays import Array, Indices, read_only
-from qovr_core.geometry import bernstein, differential, extent, grid, locate, sampled_box
+from qovr_core.arrays import Array, Floats, Indices, checked_out, handed_out, read_only
+from qovr_core.geometry import bernstein, differential, extent, grid, locate, sampled_box, scattered
 from qovr_core.geometry.differential import Curvature, Domain
 from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.locate import Parameters
@@ -18,10 +19,10 @@ from qovr_core.geometry.locate import Parameters
 PATCH_DEGREE = 6
 """Degree each way in which every patch is held, whatever its true degree."""
 
-_SINGULAR = 1e-12
-"""|S_u x S_v| below this part of the largest possible one is rounding, and no direction."""
-
 _SHAPE = (PATCH_DEGREE + 1, PATCH_DEGREE + 1, 3)
+
+_AXES = 2, 3
+"""The axes of the coefficients along u and along v."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,37 +103,40 @@ class Patch:
         """Return the patch of one window, the a-th along v and the b-th along u, over [0, 1] x [0, 1]."""
         return Patch(self.coefficients[a, b], self.degree)
 
-    def points(self, u: Parameters, v: Parameters) -> Array:
+    def points(self, u: Parameters, v: Parameters, out: Floats | None = None) -> npt.NDArray[Any]:
         """Return the points S(u, v) on a grid.
 
         Parameters
         ----------
         u : (n,) parameters along u in the domain; beyond it the outer polynomials go on
         v : (m,) parameters along v
+        out : (n, m, 3) float64 or float32 in C order to write to; what is computed is float64 all the same
 
         Returns
         -------
-        (n, m, 3) float64, read-only, indexed [iu, iv]
+        (n, m, 3) float64, read-only, indexed [iu, iv]; or ``out``
 
         Raises
         ------
-        ValueError : u or v is not one-dimensional
+        TypeError : ``out`` is no array of float64 or float32
+        ValueError : u or v is not one-dimensional, or ``out`` has another shape or order, or is read-only
         """
-        return self.derivative(u, v, 0, 0)
+        return self.derivative(u, v, 0, 0, out)
 
-    def samples(self, intervals_u: Indices, intervals_v: Indices) -> Array:
+    def samples(self, intervals_u: Indices, intervals_v: Indices, out: Floats | None = None) -> npt.NDArray[Any]:
         """Return the points at evenly spaced parameters of every window, the joints once.
 
         Parameters
         ----------
         intervals_u, intervals_v : between samples, of every window along u, (n,), and along v, (m,)
+        out : as for ``points``
 
         Returns
         -------
         (sum of intervals_u + 1, sum of intervals_v + 1, 3) float64, read-only, indexed [iu, iv]; on a joint those of
-        the window that begins there
+        the window that begins there; or ``out``
         """
-        return self._on_grid(locate.even(intervals_u), locate.even(intervals_v), (0, 0))
+        return self._on_grid(locate.even(intervals_u), locate.even(intervals_v), 0, 0, out)
 
     def sampled_box(self, intervals_u: Indices, intervals_v: Indices) -> Array:
         """Return the box of ``samples``, few of which are computed; see ``sampled_box.sampled_box``.
@@ -143,54 +147,64 @@ class Patch:
         """
         return read_only(sampled_box.sampled_box(self.coefficients, intervals_u, intervals_v))
 
-    def derivative(self, u: Parameters, v: Parameters, order_u: int, order_v: int) -> Array:
+    def derivative(
+        self, u: Parameters, v: Parameters, order_u: int, order_v: int, out: Floats | None = None
+    ) -> npt.NDArray[Any]:
         """Return a partial derivative of S on a grid; on a joint that of the window which begins there.
 
         Parameters
         ----------
         u, v : (n,) and (m,) parameters
         order_u, order_v : order of the derivative in u and in v, each 0 to 6
+        out : as for ``points``
 
         Returns
         -------
-        (n, m, 3) float64, read-only, indexed [iu, iv]
+        (n, m, 3) float64, read-only, indexed [iu, iv]; or ``out``
 
         Raises
         ------
-        ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
+        TypeError, ValueError : as ``points``, or an order is outside 0 to 6
         """
-        return self._on_grid(*locate.of_grid(u, v, self.breakpoints), (order_u, order_v))
+        return self._on_grid(*locate.of_grid(u, v, self.breakpoints), order_u, order_v, out)
 
-    def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
+    def derivative_at(
+        self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int, out: Floats | None = None
+    ) -> npt.NDArray[Any]:
         """Return a partial derivative of S at scattered parameters, as ``derivative`` does on a grid.
 
         Parameters
         ----------
         u, v : (k,) and (k,) parameters
         order_u, order_v : order of the derivative in u and in v, each 0 to 6
+        out : (k, 3), else as for ``points``
 
         Returns
         -------
-        (k, 3) float64, read-only
+        (k, 3) float64, read-only; or ``out``
 
         Raises
         ------
-        ValueError : u or v is not one-dimensional, or an order is outside 0 to 6
+        TypeError, ValueError : as ``derivative``
         """
         at_u, at_v = locate.of_grid(u, v, self.breakpoints)
-        asked, pieces = grid.asked_pieces(self.coefficients, (at_v.window, at_u.window))
-        coefficients = Patch(asked)._differentiated(order_u, order_v)
-        bases = (at.basis(PATCH_DEGREE - order, order) for at, order in ((at_u, order_u), (at_v, order_v)))
-        return read_only(grid.evaluate_scattered_pieces(coefficients, pieces, *bases))
+        asked, pieces = scattered.asked_pieces(self.coefficients, (at_v.window, at_u.window))
+        coefficients = bernstein.partial_derivative(asked, (order_u, order_v), _AXES)
+        in_u, in_v = (at.basis(PATCH_DEGREE - order, order) for at, order in ((at_u, order_u), (at_v, order_v)))
+        return handed_out(scattered.evaluate_pieces(coefficients, pieces, in_u, in_v, out), out)
 
-    def normals(self, u: Parameters, v: Parameters) -> Array:
-        """Return the unit normals along S_u x S_v, (n, m, 3), limits taken in windows; see ``differential.normals``."""
+    def normals(self, u: Parameters, v: Parameters, out: Floats | None = None) -> npt.NDArray[Any]:
+        """Return the unit normals along S_u x S_v, (n, m, 3), limits taken in windows; see ``differential.normals``.
+
+        ``out`` is as for ``points``.
+        """
         at_u, at_v = (at.by_own_parameter for at in locate.of_grid(u, v, self.breakpoints))
-        return differential.unit_normals(
-            lambda order_u, order_v: self._on_grid(at_u, at_v, (order_u, order_v)),
-            (at_u.to_middle, at_v.to_middle),
-            singular=self._rounding_of_a_normal(),
-        )
+        normals, singular = checked_out(out, (len(at_u.local), len(at_v.local), 3)), self._rounding_of_a_normal()
+        for rows in grid.blocks(at_u.by_window(PATCH_DEGREE, 0), normals[:1].size):
+            some = at_u[rows]
+            tangents, inward = partial(self._on_grid, some, at_v), (some.to_middle, at_v.to_middle)
+            normals[rows] = differential.unit_normals(tangents, inward, singular=singular)
+        return handed_out(normals, out)
 
     def curvature(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Curvature:
         """Return the curvatures on a grid, from the two fundamental forms; parameters as for ``points``."""
@@ -218,30 +232,13 @@ class Patch:
         """Return the patch with its coefficients mapped by what is affine on arrays (..., 3)."""
         return Patch(mapping(self.coefficients), self.degree, self.lengths)
 
-    def _on_grid(self, at_u: locate.Located, at_v: locate.Located, orders: tuple[int, int]) -> Array:
+    def _on_grid(
+        self, at_u: locate.Located, at_v: locate.Located, order_u: int, order_v: int, out: Floats | None = None
+    ) -> npt.NDArray[Any]:
         """Return a partial derivative on a grid of located parameters."""
-        coefficients = self._differentiated(*orders)
-        (basis_u, order_u), (basis_v, order_v) = (
-            at.by_window(PATCH_DEGREE - order, order) for at, order in zip((at_u, at_v), orders, strict=True)
-        )
-        values = grid.evaluate_pieces(coefficients, basis_u, basis_v)
-        for axis, order in enumerate((order_u, order_v)):
-            if order is not None:
-                values = values.take(np.argsort(order), axis=axis)
-        return read_only(values)
-
-    def _differentiated(self, order_u: int, order_v: int) -> Array:
-        """Return the Bernstein coefficients of a partial derivative by each window's own parameters."""
-        if not (0 <= order_u <= PATCH_DEGREE and 0 <= order_v <= PATCH_DEGREE):
-            raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 to {PATCH_DEGREE}")
-        coefficients = self.coefficients
-        for _ in range(order_u):
-            coefficients = bernstein.derivative(coefficients, 2)
-        for _ in range(order_v):
-            coefficients = bernstein.derivative(coefficients, 3)
-        return coefficients
+        coefficients = bernstein.partial_derivative(self.coefficients, (order_u, order_v), _AXES)
+        in_u, in_v = (at.by_window(PATCH_DEGREE - order, order) for at, order in ((at_u, order_u), (at_v, order_v)))
+        return handed_out(grid.evaluate_pieces(coefficients, in_u, in_v, out), out)
 
     def _rounding_of_a_normal(self) -> float:
-        """Return the length below which S_u x S_v is no more than rounding."""
-        tangents = (np.abs(bernstein.derivative(self.coefficients, axis)).max() for axis in (2, 3))
-        return float(_SINGULAR * np.prod(list(tangents)))
+        return differential.rounding_of_a_normal(bernstein.derivative(self.coefficients, axis) for axis in _AXES)

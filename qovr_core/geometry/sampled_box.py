@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from qovr_core.arrays import Array, Indices
-from qovr_core.geometry import bernstein, grid, locate
+from qovr_core.geometry import bernstein, grid, locate, scattered
 from qovr_core.geometry.sample_cells import PARTS, Cells, cells_of, restrictions_to_parts
 
 _FULL_BELOW = 400 * 400
@@ -87,14 +87,14 @@ def sampled_box(coefficients: Array, intervals_u: Indices, intervals_v: Indices)
     *windows, a, b, d = coefficients.shape
     if (intervals_u.sum() + 1) * (intervals_v.sum() + 1) < _FULL_BELOW:
         along_u, along_v = (
-            locate.even(intervals).by_window(size - 1, 0)[0] for intervals, size in ((intervals_u, a), (intervals_v, b))
+            locate.even(intervals).by_window(size - 1, 0) for intervals, size in ((intervals_u, a), (intervals_v, b))
         )
         return grid.box(coefficients, along_u, along_v)
     best = _extremes(coefficients.reshape(-1, a, b, d), _sample_counts(intervals_u, intervals_v))
     window, places = best.places[:, 0], best.places[:, 1:]
     at = places / _sample_counts(intervals_u, intervals_v)[window]
     basis_u, basis_v = (bernstein.basis(size - 1, at[:, k]) for k, size in enumerate((a, b)))
-    values = grid.evaluate_scattered_pieces(coefficients, np.divmod(window, windows[1]), basis_u, basis_v)
+    values = scattered.evaluate_pieces(coefficients, np.divmod(window, windows[1]), basis_u, basis_v)
     return np.diagonal(values.reshape(2, d, d), axis1=1, axis2=2).T.copy()
 
 

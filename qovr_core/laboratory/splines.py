@@ -12,11 +12,8 @@ import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.geometry import bernstein, differential, grid
+from qovr_core.geometry import bernstein, differential, grid, scattered
 from qovr_core.geometry.differential import Curvature, Domain
-
-_SINGULAR = 1e-12
-"""|S_u x S_v| below this part of the product of the net's longest steps is rounding, and no direction."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,7 +108,7 @@ class TensorSurface:
 
     def derivative_at(self, u: npt.ArrayLike, v: npt.ArrayLike, order_u: int, order_v: int) -> Array:
         """Return a partial derivative of S at scattered parameters (k,) and (k,), (k, 3), as ``derivative`` does."""
-        return self._evaluated(u, v, order_u, order_v, grid.evaluate_scattered)
+        return self._evaluated(u, v, order_u, order_v, scattered.evaluate)
 
     def normals(self, u: npt.ArrayLike, v: npt.ArrayLike) -> Array:
         """Return the unit normals along S_u x S_v on a grid, (n, m, 3); see ``differential.normals``."""
@@ -141,8 +138,7 @@ class TensorSurface:
         return read_only(_quotient_derivative(lifted))
 
     def _rounding_of_a_normal(self) -> float:
-        longest_steps = (np.abs(np.diff(self.net, axis=axis)).max() for axis in (0, 1))
-        return float(_SINGULAR * np.prod(list(longest_steps)))
+        return differential.rounding_of_a_normal(np.diff(self.net, axis=axis) for axis in (0, 1))
 
 
 def bezier(net: npt.ArrayLike) -> TensorSurface:
