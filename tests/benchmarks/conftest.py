@@ -49,8 +49,7 @@ def measure(record):
 
 def pytest_terminal_summary(terminalreporter, config):
     """Print the table, and keep it for the README."""
-    is_whole = all(Path(argument).is_dir() for argument in config.args) and not config.option.keyword
-    if is_whole and config.option.markexpr == "not long":
+    if _is_whole(config) and not _is_long(config):
         RESULTS["make bench"] = table.Result("make bench", ((time.monotonic() - STARTED) / 60,))
     if not RESULTS:
         return
@@ -58,13 +57,28 @@ def pytest_terminal_summary(terminalreporter, config):
     for line in table.lines(RESULTS.values()):
         terminalreporter.write_line(line)
     terminalreporter.write_line(f"{os.cpu_count()} cores, load {os.getloadavg()[1]:.1f} in the last five minutes")
-    if is_whole:
-        wanted = [key for key, goal in GOALS.items() if goal.is_long == (config.option.markexpr == "long")]
-        silent = [key for key in wanted if key not in RESULTS]
-        if silent:
-            terminalreporter.write_line(f"not measured: {len(silent)} of {len(wanted)}: {'; '.join(silent)}")
-    terminalreporter.write_line(table.verdict(RESULTS.values()))
     _keep()
+
+
+def pytest_unconfigure(config):
+    """Say last what is missed, and what of a whole run was not measured."""
+    if not RESULTS:
+        return
+    wanted = [key for key, goal in GOALS.items() if _is_whole(config) and goal.is_long == _is_long(config)]
+    silent = [key for key in wanted if key not in RESULTS]
+    reporter = config.pluginmanager.get_plugin("terminalreporter")
+    if silent:
+        reporter.write_line(f"not measured: {len(silent)} of {len(wanted)}: {'; '.join(silent)}")
+    reporter.write_line(table.verdict(RESULTS.values()))
+
+
+def _is_whole(config):
+    """Return whether all benchmarks of a kind were asked for, not some files or names."""
+    return all(Path(argument).is_dir() for argument in config.args) and not config.option.keyword
+
+
+def _is_long(config):
+    return config.option.markexpr == "long"
 
 
 def _keep():

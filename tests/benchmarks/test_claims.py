@@ -9,7 +9,6 @@ import pytest
 from qovr_core.laboratory import joint_claims, knot_claims
 from qovr_core.laboratory.verify import verify
 from qovr_core.presets import preset
-from support.command import qovr
 
 from .timing import RUNS
 
@@ -32,7 +31,3 @@ def test_findings(record, name):
     runs = [[waits(document) for _ in range(ROUNDS)] for _ in range(RUNS)]
     record(f"verify wait {name}", [statistics.median(map(max, run)) for run in runs])
     record(f"verify {name}", [statistics.median(map(sum, run)) for run in runs])
-
-
-def test_command(measure):
-    measure("verify command", lambda: qovr("verify", "paper:fig5"), rounds=2)

@@ -1,4 +1,4 @@
-"""The comparison: the closest points, all measures, the longest wait for the next surface's, and the command."""
+"""The comparison: the closest points, all measures, and the longest wait for the next surface's."""
 
 import itertools
 import statistics
@@ -12,7 +12,6 @@ from qovr_core.geometry.closest import closest_points
 from qovr_core.laboratory.comparison import compare
 from qovr_core.laboratory.splines import b_spline
 from qovr_core.presets import preset
-from support.command import qovr
 
 from .timing import RUNS
 
@@ -39,7 +38,3 @@ def test_measures(record, name):
     runs = [[waits(document) for _ in range(ROUNDS)] for _ in range(RUNS)]
     record(f"compare wait {name}", [statistics.median(map(max, run)) for run in runs])
     record(f"compare {name}", [statistics.median(map(sum, run)) for run in runs])
-
-
-def test_command(measure):
-    measure("compare command", lambda: qovr("compare", "paper:fig5"), rounds=2)

@@ -10,7 +10,7 @@ from qovr_core.files.formats import export
 from qovr_core.files.options import DEFAULTS
 from qovr_core.presets import preset
 
-from .test_view import finish
+from .peers import finish
 
 pytest.importorskip("PySide6")
 

@@ -7,14 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from qovr_core import configure, edits
 from qovr_core.presets import preset
 
 pytest.importorskip("PySide6")
 
+from .peers import SIZE, PyVista, Stock, finish, regular_document
 from .timing import RUNS
 
-SIZE = (800, 600)
 STOCK_EVERY = {101: 1, 401: 5, 1001: 15}
 EDITS = 20
 
@@ -93,15 +92,6 @@ class Bench:
         return time.perf_counter() - start
 
 
-def finish(widget):
-    """Wait until everything that was asked of OpenGL has been drawn."""
-    from OpenGL.GL import glFinish
-
-    widget.makeCurrent()
-    glFinish()
-    widget.doneCurrent()
-
-
 @pytest.fixture(scope="module")
 def bench(app):
     made = Bench(app)
@@ -110,44 +100,6 @@ def bench(app):
     yield made
     made.view.close()
     made.view.deleteLater()
-
-
-class Stock:
-    """A view with pyqtgraph's own surface item, normals and light included, of all samples of a document."""
-
-    def __init__(self, application, document):
-        import pyqtgraph.opengl as gl
-
-        class View(gl.GLViewWidget):
-            painted = 0
-
-            def paintGL(self):
-                super().paintGL()
-                self.painted += 1
-
-        self.application, self.document, self.view = application, document, View()
-        self.view.resize(*SIZE)
-        axis = np.linspace(-5, 5, document.samples[0])
-        look = {"shader": "shaded", "computeNormals": True, "smooth": True}
-        self.item = gl.GLSurfacePlotItem(x=axis, y=axis, z=self.heights(document), **look)
-        self.view.addItem(self.item)
-        self.view.show()
-
-    def heights(self, document):
-        return 10 * configure(document).transformed[..., 2]
-
-    def edit(self, k):
-        """Edit a point and wait for the finished frame."""
-        before = self.view.painted
-        edited = edits.set_point(self.document, 2, 2, (2.0, 2.0, 0.5 + 0.1 * float(np.sin(k + 1))))
-        self.item.setData(z=self.heights(edited))
-        while self.view.painted == before:
-            self.application.processEvents()
-        finish(self.view)
-
-    def close(self):
-        self.view.close()
-        self.view.deleteLater()
 
 
 def counting(act):
@@ -168,9 +120,17 @@ def test_an_edit_with_its_redraw(bench, record, measure, size):
     bench.timed(bench.edit, 5)
     runs = [[bench.milliseconds(act, 3 * EDITS) for act in (bench.edit, bench.orbit)] for _ in range(RUNS)]
     record(f"edit/orbit {size}", *np.transpose(runs))
-    stock = Stock(bench.application, bench.store.state.document)
+    stock = Stock(bench.application, regular_document(size), shader="shaded", computeNormals=True)
     measure(f"stock {size}", edited(bench), counting(stock.edit), every=STOCK_EVERY[size])
     stock.close()
+
+
+def test_an_edit_with_its_redraw_beside_pyvista(bench, measure):
+    bench.dispatch("SamplesChosen", (1001, 1001))
+    bench.settle()
+    other = PyVista(1001)
+    measure("pyvista 1001", edited(bench), other.edit, every=3)
+    other.close()
 
 
 @pytest.fixture
