@@ -13,8 +13,8 @@ from support.structure import IMPORTS, PATHS, circle, classes, imports_between_r
 CORE = [name for name in PATHS if name.split(".")[0] == "qovr_core"]
 WINDOW_LIBRARIES = {"PySide6", "pyqtgraph", "OpenGL"}
 
-DOORS = {"OpenGL": "qovr_app.view3d.gl.api", "pyqtgraph": "qovr_app.laboratory.pg"}
-"""The one module that imports each library of the window that has no types."""
+DOORS = {"OpenGL": [], "pyqtgraph": ["qovr_app.laboratory.pg"]}
+"""What imports each library of the window that has no types: Qt itself gives the functions of OpenGL."""
 
 LONGEST_MODULE = 250
 LONGEST_CLASS = 220
@@ -107,9 +107,9 @@ def test_classes_are_short_and_have_few_methods():
 
 
 @pytest.mark.parametrize("library", DOORS)
-def test_a_library_without_types_has_one_door(library):
+def test_a_library_without_types_has_one_door_at_most(library):
     importing = [module for module in PATHS if library in {name.split(".")[0] for name in IMPORTS[module]}]
-    assert importing == [DOORS[library]]
+    assert importing == DOORS[library]
 
 
 def test_types_are_ignored_nowhere():

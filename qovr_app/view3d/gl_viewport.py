@@ -17,6 +17,7 @@ from qovr_app.view3d import failures
 from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl import figure as gl_figure
 from qovr_app.view3d.gl.buffer import smooth_edges
+from qovr_app.view3d.gl.calls import DriverError
 from qovr_app.view3d.gl.figure import Tile
 from qovr_app.view3d.gl.layer import ImageLayer
 from qovr_app.view3d.gl.support import gl_support, viewport_format
@@ -83,7 +84,7 @@ class GlViewport(QOpenGLWidget):
         if self.isValid() and not self._broken:
             try:
                 return self._tiled(gl_figure.surface_tiles(picture, size, pixels), pixels, progress, in_gui)
-            except api.FAILURES as error:  # the figure is still made, by the painter
+            except DriverError as error:  # the figure is still made, by the painter
                 failure = error
                 in_gui(lambda: self._fail(failure, "drawing a figure"))
         return painter_surface.surface_image(picture, size, pixels)
@@ -122,7 +123,7 @@ class GlViewport(QOpenGLWidget):
                 self._clear()
             else:
                 self._paint_frame(self._picture)
-        except api.FAILURES as error:  # whatever a driver does, the view goes on without it
+        except DriverError as error:  # whatever a driver does, the view goes on without it
             self._fail(error, "drawing")
         except Exception as error:  # an exception must not escape into Qt's event loop
             self._faulty = self._picture

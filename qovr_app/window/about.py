@@ -5,7 +5,6 @@ from __future__ import annotations
 import platform
 from collections.abc import Iterable
 from html import escape
-from importlib.metadata import PackageNotFoundError, version
 
 import numpy as np
 from PySide6 import __version__ as pyside_version
@@ -56,7 +55,7 @@ def versions_text() -> str:
         (
             f"{NAME} {VERSION}",
             f"Python {platform.python_version()}, {platform.system()} {platform.release()} {platform.machine()}",
-            f"PySide6 {pyside_version}, Qt {qVersion()}, NumPy {np.__version__}, PyOpenGL {_version('PyOpenGL')}",
+            f"PySide6 {pyside_version}, Qt {qVersion()}, NumPy {np.__version__}",
         )
     )
 
@@ -89,10 +88,3 @@ def keys_html(actions: Iterable[tuple[str, QAction]]) -> str:
         rows.append(f"<tr><td colspan=2><h3>{title}</h3></td></tr>")
         rows.extend(f"<tr><td><b>{keys}</b>&nbsp;&nbsp;</td><td>{text}</td></tr>" for keys, text in keys_there.items())
     return f"<table>{''.join(rows)}</table>"
-
-
-def _version(package: str) -> str:
-    try:
-        return version(package)
-    except PackageNotFoundError:
-        return "is missing"

@@ -1,22 +1,15 @@
-"""The one door to PyOpenGL, which has no types: what the view needs of it, for the context that is current."""
+"""What the view needs of OpenGL, for the context that is current."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from ctypes import c_void_p
 from enum import Enum
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
-from OpenGL import GL, error
 
-
-class DriverError(RuntimeError):
-    """Something that this driver should give and does not; the text says what."""
-
-
-FAILURES: tuple[type[Exception], ...] = (error.Error, DriverError)
-"""What an OpenGL call that fails raises; every other exception is an error of the program."""
+from qovr_app.view3d.gl.calls import GL, delete_names, gl, made_names
 
 _FLOAT_BYTES = 4
 
@@ -24,82 +17,82 @@ _FLOAT_BYTES = 4
 class Filtering(Enum):
     """What lies between the pixels of a texture."""
 
-    NEAREST = GL.GL_NEAREST
-    LINEAR = GL.GL_LINEAR
+    NEAREST = GL.NEAREST
+    LINEAR = GL.LINEAR
 
 
 def make_texture(filtering: Filtering) -> int:
     """Return the name of a new texture that ends at its edges."""
-    texture = int(GL.glGenTextures(1))
-    GL.glBindTexture(GL.GL_TEXTURE_2D, texture)
-    for name in (GL.GL_TEXTURE_MIN_FILTER, GL.GL_TEXTURE_MAG_FILTER):
-        GL.glTexParameteri(GL.GL_TEXTURE_2D, name, filtering.value)
-    for name in (GL.GL_TEXTURE_WRAP_S, GL.GL_TEXTURE_WRAP_T):
-        GL.glTexParameteri(GL.GL_TEXTURE_2D, name, GL.GL_CLAMP_TO_EDGE)
+    texture = made_names("glGenTextures")[0]
+    gl("glBindTexture", GL.TEXTURE_2D, texture)
+    for name in (GL.TEXTURE_MIN_FILTER, GL.TEXTURE_MAG_FILTER):
+        gl("glTexParameteri", GL.TEXTURE_2D, name, filtering.value)
+    for name in (GL.TEXTURE_WRAP_S, GL.TEXTURE_WRAP_T):
+        gl("glTexParameteri", GL.TEXTURE_2D, name, GL.CLAMP_TO_EDGE)
     return texture
 
 
 def delete_textures(textures: Sequence[int]) -> None:
     """Destroy textures."""
-    GL.glDeleteTextures(list(textures))
+    delete_names("glDeleteTextures", textures)
 
 
 def bind_textures(textures: Sequence[int]) -> None:
     """Give the first texture units these textures."""
     for unit, texture in enumerate(textures):
-        GL.glActiveTexture(GL.GL_TEXTURE0 + unit)
-        GL.glBindTexture(GL.GL_TEXTURE_2D, texture)
-    GL.glActiveTexture(GL.GL_TEXTURE0)
+        gl("glActiveTexture", GL.TEXTURE0 + unit)
+        gl("glBindTexture", GL.TEXTURE_2D, texture)
+    gl("glActiveTexture", GL.TEXTURE0)
 
 
 def load_image(texture: int, pixels: npt.NDArray[np.uint8], size: tuple[int, int], *, is_resized: bool) -> None:
     """Fill a texture with an image's pixels, four bytes each; faster where the size is the one it has."""
-    GL.glBindTexture(GL.GL_TEXTURE_2D, texture)
-    GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4)
+    gl("glBindTexture", GL.TEXTURE_2D, texture)
+    gl("glPixelStorei", GL.UNPACK_ALIGNMENT, 4)
     if is_resized:
-        GL.glTexImage2D(GL.GL_TEXTURE_2D, 0, GL.GL_RGBA8, *size, 0, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels)
+        gl("glTexImage2D", GL.TEXTURE_2D, 0, GL.RGBA8, *size, 0, GL.RGBA, GL.UNSIGNED_BYTE, _address(pixels))
     else:
-        GL.glTexSubImage2D(GL.GL_TEXTURE_2D, 0, 0, 0, *size, GL.GL_RGBA, GL.GL_UNSIGNED_BYTE, pixels)
+        gl("glTexSubImage2D", GL.TEXTURE_2D, 0, 0, 0, *size, GL.RGBA, GL.UNSIGNED_BYTE, _address(pixels))
 
 
 def load_colours(texture: int, table: npt.NDArray[np.uint8]) -> None:
     """Fill a texture of one row with red, green and blue, (k, 3)."""
-    GL.glBindTexture(GL.GL_TEXTURE_2D, texture)
-    GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 1)
-    GL.glTexImage2D(GL.GL_TEXTURE_2D, 0, GL.GL_RGB8, len(table), 1, 0, GL.GL_RGB, GL.GL_UNSIGNED_BYTE, table)
+    gl("glBindTexture", GL.TEXTURE_2D, texture)
+    gl("glPixelStorei", GL.UNPACK_ALIGNMENT, 1)
+    gl("glTexImage2D", GL.TEXTURE_2D, 0, GL.RGB8, len(table), 1, 0, GL.RGB, GL.UNSIGNED_BYTE, _address(table))
 
 
 def load_values(texture: int, values: npt.NDArray[np.float32]) -> None:
     """Fill a texture with numbers, (n, m), of which m are a row."""
     rows, columns = values.shape
-    GL.glBindTexture(GL.GL_TEXTURE_2D, texture)
-    GL.glPixelStorei(GL.GL_UNPACK_ALIGNMENT, 4)
-    GL.glTexImage2D(GL.GL_TEXTURE_2D, 0, GL.GL_R32F, columns, rows, 0, GL.GL_RED, GL.GL_FLOAT, values)
+    gl("glBindTexture", GL.TEXTURE_2D, texture)
+    gl("glPixelStorei", GL.UNPACK_ALIGNMENT, 4)
+    gl("glTexImage2D", GL.TEXTURE_2D, 0, GL.R32F, columns, rows, 0, GL.RED, GL.FLOAT, _address(values))
 
 
 def make_vertex_array() -> int:
     """Return the name of a new vertex array object."""
-    return int(GL.glGenVertexArrays(1))
+    return made_names("glGenVertexArrays")[0]
 
 
 def delete_vertex_array(array: int) -> None:
     """Destroy a vertex array object."""
-    GL.glDeleteVertexArrays(1, [array])
+    delete_names("glDeleteVertexArrays", [array])
 
 
 def bind_vertex_array(array: int) -> None:
     """Take vertices from an array object, or from none for 0."""
-    GL.glBindVertexArray(array)
+    gl("glBindVertexArray", array)
 
 
 def make_buffer() -> int:
     """Return the name of a new buffer."""
-    return int(GL.glGenBuffers(1))
+    return made_names("glGenBuffers")[0]
 
 
 def delete_buffers(buffers: Sequence[int]) -> None:
     """Destroy buffers."""
-    GL.glDeleteBuffers(len(buffers), list(buffers))
+    delete_names("glDeleteBuffers", buffers)
 
 
 def load_attributes(
@@ -114,101 +107,107 @@ def load_attributes(
     location : of the first attribute; the next ones follow
     is_resized : whether there are more or fewer values than the buffer has
     """
-    GL.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer)
+    gl("glBindBuffer", GL.ARRAY_BUFFER, buffer)
     if is_resized:
-        GL.glBufferData(GL.GL_ARRAY_BUFFER, values.nbytes, values, GL.GL_DYNAMIC_DRAW)
+        gl("glBufferData", GL.ARRAY_BUFFER, values.nbytes, _address(values), GL.DYNAMIC_DRAW)
         stride, offset = _FLOAT_BYTES * sum(widths), 0
         for at, width in enumerate(widths, start=location):
-            GL.glVertexAttribPointer(at, width, GL.GL_FLOAT, False, stride, c_void_p(offset))
-            GL.glEnableVertexAttribArray(at)
+            gl("glVertexAttribPointer", at, width, GL.FLOAT, 0, stride, offset)
+            gl("glEnableVertexAttribArray", at)
             offset += _FLOAT_BYTES * width
     else:
-        GL.glBufferSubData(GL.GL_ARRAY_BUFFER, 0, values.nbytes, values)
-    GL.glBindBuffer(GL.GL_ARRAY_BUFFER, 0)
+        gl("glBufferSubData", GL.ARRAY_BUFFER, 0, values.nbytes, _address(values))
+    gl("glBindBuffer", GL.ARRAY_BUFFER, 0)
 
 
 def rewrite(buffer: int, values: npt.NDArray[np.float32], rows: slice) -> None:
     """Bring some rows of the values that a buffer holds, contiguous, to the driver again."""
     some = values[rows]
     if some.size:
-        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, buffer)
-        GL.glBufferSubData(GL.GL_ARRAY_BUFFER, rows.start * values.strides[0], some.nbytes, some)
-        GL.glBindBuffer(GL.GL_ARRAY_BUFFER, 0)
+        gl("glBindBuffer", GL.ARRAY_BUFFER, buffer)
+        gl("glBufferSubData", GL.ARRAY_BUFFER, rows.start * values.strides[0], some.nbytes, _address(some))
+        gl("glBindBuffer", GL.ARRAY_BUFFER, 0)
 
 
 def load_indices(buffer: int, indices: npt.NDArray[np.uint32]) -> None:
     """Fill a buffer with the indices of triangles; it stays bound, which the bound vertex array remembers."""
-    GL.glBindBuffer(GL.GL_ELEMENT_ARRAY_BUFFER, buffer)
-    GL.glBufferData(GL.GL_ELEMENT_ARRAY_BUFFER, indices.nbytes, indices, GL.GL_STATIC_DRAW)
+    gl("glBindBuffer", GL.ELEMENT_ARRAY_BUFFER, buffer)
+    gl("glBufferData", GL.ELEMENT_ARRAY_BUFFER, indices.nbytes, _address(indices), GL.STATIC_DRAW)
 
 
 def set_floats(location: int, *values: float) -> None:
     """Set a uniform of one to four floats of the program that is bound."""
-    (GL.glUniform1f, GL.glUniform2f, GL.glUniform3f, GL.glUniform4f)[len(values) - 1](location, *values)
+    gl(f"glUniform{len(values)}f", location, *values)
 
 
 def set_integer(location: int, value: int) -> None:
     """Set a uniform of one integer, such as a texture unit, of the program that is bound."""
-    GL.glUniform1i(location, value)
+    gl("glUniform1i", location, value)
 
 
 def clear(red: float = 0.0, green: float = 0.0, blue: float = 0.0, opacity: float = 0.0) -> None:
     """Fill everything with a colour, each part of it from 0 to 1, as if infinitely far away."""
-    GL.glClearColor(red, green, blue, opacity)
-    GL.glClear(GL.GL_DEPTH_BUFFER_BIT | GL.GL_COLOR_BUFFER_BIT)
+    gl("glClearColor", red, green, blue, opacity)
+    gl("glClear", GL.DEPTH_BUFFER_BIT | GL.COLOR_BUFFER_BIT)
 
 
 def use_viewport(width: int, height: int) -> None:
     """Draw on so many pixels."""
-    GL.glViewport(0, 0, width, height)
+    gl("glViewport", 0, 0, width, height)
 
 
 def copy_colours(source: int, target: int, pixels: tuple[int, int]) -> None:
     """Bring one framebuffer's colours into another of the same size, several samples a pixel into one; go on there."""
     whole = (0, 0, *pixels)
-    GL.glBindFramebuffer(GL.GL_READ_FRAMEBUFFER, source)
-    GL.glBindFramebuffer(GL.GL_DRAW_FRAMEBUFFER, target)
-    GL.glBlitFramebuffer(*whole, *whole, GL.GL_COLOR_BUFFER_BIT, GL.GL_NEAREST)
-    GL.glBindFramebuffer(GL.GL_FRAMEBUFFER, target)
+    gl("glBindFramebuffer", GL.READ_FRAMEBUFFER, source)
+    gl("glBindFramebuffer", GL.DRAW_FRAMEBUFFER, target)
+    gl("glBlitFramebuffer", *whole, *whole, GL.COLOR_BUFFER_BIT, GL.NEAREST)
+    gl("glBindFramebuffer", GL.FRAMEBUFFER, target)
 
 
 def draw_over(*, blended: bool) -> None:
     """Draw the next things over whatever is there, whatever its depth: opaque, or in premultiplied colours."""
-    GL.glDisable(GL.GL_DEPTH_TEST)
+    gl("glDisable", GL.DEPTH_TEST)
     if blended:
-        GL.glEnable(GL.GL_BLEND)
-        GL.glBlendFunc(GL.GL_ONE, GL.GL_ONE_MINUS_SRC_ALPHA)
+        gl("glEnable", GL.BLEND)
+        gl("glBlendFunc", GL.ONE, GL.ONE_MINUS_SRC_ALPHA)
     else:
-        GL.glDisable(GL.GL_BLEND)
+        gl("glDisable", GL.BLEND)
 
 
 def draw_in_depth() -> None:
     """Draw the next things opaque, each where nothing lies nearer."""
-    GL.glEnable(GL.GL_DEPTH_TEST)
-    GL.glDepthMask(True)
-    GL.glDisable(GL.GL_BLEND)
+    gl("glEnable", GL.DEPTH_TEST)
+    gl("glDepthMask", 1)
+    gl("glDisable", GL.BLEND)
 
 
 def show_both_sides() -> None:
     """Draw triangles from whichever side they are seen."""
-    GL.glDisable(GL.GL_CULL_FACE)
+    gl("glDisable", GL.CULL_FACE)
 
 
 def let_points_have_sizes() -> None:
     """Let the vertex shader say how large a point is; under OpenGL ES it always does, and this is an error."""
-    GL.glEnable(GL.GL_PROGRAM_POINT_SIZE)
+    gl("glEnable", GL.PROGRAM_POINT_SIZE)
 
 
 def draw_points(count: int) -> None:
     """Draw the first vertices as points."""
-    GL.glDrawArrays(GL.GL_POINTS, 0, count)
+    gl("glDrawArrays", GL.POINTS, 0, count)
 
 
 def draw_triangle() -> None:
     """Draw the first three vertices as a triangle."""
-    GL.glDrawArrays(GL.GL_TRIANGLES, 0, 3)
+    gl("glDrawArrays", GL.TRIANGLES, 0, 3)
 
 
 def draw_triangles(count: int) -> None:
     """Draw triangles by the first so many of the bound indices."""
-    GL.glDrawElements(GL.GL_TRIANGLES, count, GL.GL_UNSIGNED_INT, None)
+    gl("glDrawElements", GL.TRIANGLES, count, GL.UNSIGNED_INT, None)
+
+
+def _address(values: npt.NDArray[Any]) -> int:
+    """Return where the numbers of an array stand, one after the other."""
+    assert values.flags.c_contiguous
+    return values.ctypes.data

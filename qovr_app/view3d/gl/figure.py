@@ -11,6 +11,7 @@ from PySide6.QtGui import QImage
 
 from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl.buffer import sampled_buffer
+from qovr_app.view3d.gl.calls import DriverError
 from qovr_app.view3d.gl.surface_item import SurfaceItem
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
@@ -53,7 +54,7 @@ def _tile_image(
     width, height = tile[2:]
     buffer = sampled_buffer((width, height))
     if not buffer.isValid() or not buffer.bind():
-        raise api.DriverError("the driver gives no framebuffer for a figure")
+        raise DriverError("the driver gives no framebuffer for a figure")
     api.use_viewport(width, height)
     api.clear()
     matrix = _crop(pixels, tile) @ picture.camera.matrix(size)

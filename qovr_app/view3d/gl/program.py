@@ -9,7 +9,7 @@ from importlib.resources import files
 from PySide6.QtGui import QOpenGLContext
 from PySide6.QtOpenGL import QOpenGLShader, QOpenGLShaderProgram
 
-from qovr_app.view3d.gl.api import DriverError
+from qovr_app.view3d.gl.calls import DriverError
 
 _DESKTOP_HEAD = "#version 140\n"
 _ES_HEAD = "#version 300 es\nprecision highp float;\nprecision highp int;\n"

@@ -5,9 +5,7 @@ A widget whose OpenGL fails can blank the whole window, so no such widget is bui
 
 from __future__ import annotations
 
-import ctypes
 import os
-import sys
 from dataclasses import dataclass
 from functools import cache
 
@@ -60,7 +58,7 @@ def set_default_format() -> None:
 
 @cache
 def gl_support() -> GlSupport:
-    """Return whether OpenGL is usable, and set PyOpenGL's platform to Qt's; a QApplication exists."""
+    """Return whether OpenGL is usable; a QApplication exists."""
     if os.environ.get(_DISABLE):
         return _not_usable(f"it is switched off by {_DISABLE}")
     platform = QGuiApplication.platformName()
@@ -73,8 +71,6 @@ def gl_support() -> GlSupport:
     surface.create()
     if not surface.isValid() or not context.makeCurrent(surface):
         return _not_usable("no context could be made current")
-    if sys.platform == "linux":
-        os.environ["PYOPENGL_PLATFORM"] = "egl" if _is_current_in_egl() else "glx"
     try:
         return _described(context)
     finally:
@@ -89,16 +85,6 @@ def forget_support() -> None:
 
 def _not_usable(reason: str) -> GlSupport:
     return GlSupport(usable=False, reason=f"OpenGL is not available: {reason}")
-
-
-def _is_current_in_egl() -> bool:
-    """Return whether the current context is one of EGL, as under Wayland and X without GLX; else it is one of GLX."""
-    try:
-        egl = ctypes.CDLL("libEGL.so.1")
-    except OSError:
-        return False
-    egl.eglGetCurrentContext.restype = ctypes.c_void_p
-    return egl.eglGetCurrentContext() is not None
 
 
 def _described(context: QOpenGLContext) -> GlSupport:

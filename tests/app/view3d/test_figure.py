@@ -194,7 +194,7 @@ def test_an_older_figure_is_replaced_whole(view, tmp_path):
 
 def test_a_driver_that_fails_on_a_figure_leaves_it_to_the_painter(make_view, document, tmp_path, monkeypatch, silenced):
     from qovr_app.view3d.gl import figure as gl_figure
-    from qovr_app.view3d.gl.api import DriverError
+    from qovr_app.view3d.gl.calls import DriverError
 
     def fail(*args, **kwargs):
         raise DriverError("no framebuffer")

@@ -1,7 +1,5 @@
 """Ticks, frames, display grids, hidden marks and colours: the parts without Qt."""
 
-import subprocess
-import sys
 from dataclasses import replace
 
 import numpy as np
@@ -205,8 +203,3 @@ def test_a_scene_needs_no_samples():
     evaluation = WithoutSamples(replace(preset("fig5").document, samples=(11, 7)))
     scene = make_scene(evaluation, Layer.RAW, scene_frame(evaluation, Layer.RAW, Scaling.EACH))
     assert scene.surface_box[2] == pytest.approx((0.88, 1.2))
-
-
-def test_settings_and_probe_load_no_drawing_library():
-    code = "import sys, qovr_app.state.display, qovr_app.view3d.gl.support;sys.exit('OpenGL' in sys.modules)"
-    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
