@@ -87,33 +87,37 @@ def create_window(path: str | None = None) -> MainWindow:
 
 
 def _edit(arguments: argparse.Namespace) -> int:
-    from qovr_app.window.application import make_application
-    from qovr_app.window.post import Post
-    from qovr_app.window.preferences import Preferences
-    from qovr_app.window.preferences_shell import apply_preferences
-    from qovr_app.window.signals import EndSignals
-    from qovr_app.window.tour import offer_tour
+    from qovr_app.starting import starting
     from qovr_core.cli import SIGNALLED
 
     for source in arguments.sources:
         _check_call(source)
-    application = make_application(sys.argv)
-    post = Post(application)
-    if post.is_handed_over(arguments.sources):
-        return 0
-    ends, codes = EndSignals(application), []
+    codes: list[int] = []
 
     def end(number: int) -> None:
         codes.append(SIGNALLED + number)
         open_windows().end()
         application.exit()
 
-    ends.came.connect(end)
-    apply_preferences(Preferences(), open_windows())
-    post.came.connect(open_windows().open_all)
-    open_windows().open_all(arguments.sources)
-    if not arguments.sources:
-        offer_tour(open_windows().all[0], Preferences())
+    with starting():
+        from qovr_app.window.application import make_application
+        from qovr_app.window.post import Post
+        from qovr_app.window.preferences import Preferences
+        from qovr_app.window.preferences_shell import apply_preferences
+        from qovr_app.window.signals import EndSignals
+        from qovr_app.window.tour import offer_tour
+
+        application = make_application(sys.argv)
+        post = Post(application)
+        if post.is_handed_over(arguments.sources):
+            return 0
+        ends = EndSignals(application)
+        ends.came.connect(end)
+        apply_preferences(Preferences(), open_windows())
+        post.came.connect(open_windows().open_all)
+        open_windows().open_all(arguments.sources)
+        if not arguments.sources:
+            offer_tour(open_windows().all[0], Preferences())
     code = application.exec()
     post.close()
     ends.close()

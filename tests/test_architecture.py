@@ -40,6 +40,7 @@ FLOORS = {
         "__main__",
     ),
     "qovr_app": (
+        "starting",
         "state work",
         "store style",
         "widgets",

@@ -5,14 +5,17 @@ from __future__ import annotations
 import argparse
 import re
 import sys
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from qovr_app.starting import starting
 from qovr_core import QovrError
 from qovr_core.commands.common import number, path
 from qovr_core.files.atomic import check_target, replacing
 
 if TYPE_CHECKING:
     from PySide6.QtGui import QImage
+    from PySide6.QtWidgets import QApplication
 
     from qovr_app.window.main_window import MainWindow
 
@@ -49,21 +52,27 @@ def _scale(text: str) -> float:
 
 
 def _screenshot(arguments: argparse.Namespace) -> int:
-    from PySide6.QtCore import QByteArray
-    from PySide6.QtGui import QImageWriter
-
-    from qovr_app.state.display import ThemeName
-    from qovr_app.style.palette import set_theme
-    from qovr_app.window.application import make_application
-
     if arguments.out.suffix.lower() != ".png":
         raise QovrError(f"{arguments.out}: a screenshot is a PNG; expected a name that ends in .png")
     check_target(arguments.out)
-    application = make_application(sys.argv, scale=arguments.scale)
-    set_theme(ThemeName(arguments.theme))
+    with starting():
+        application, window = _shown_window(arguments)
+    picture = take_picture(window, camera=arguments.camera)
+    _write(picture, arguments.out)
+    window.hide()
+    window.deleteLater()
+    application.processEvents()
+    return 0
 
+
+def _shown_window(arguments: argparse.Namespace) -> tuple[QApplication, MainWindow]:
+    from qovr_app.state.display import ThemeName
+    from qovr_app.style.palette import set_theme
+    from qovr_app.window.application import make_application
     from qovr_app.window.main_window import MainWindow
 
+    application = make_application(sys.argv, scale=arguments.scale)
+    set_theme(ThemeName(arguments.theme))
     window = MainWindow(arguments.source)
     window.resize(*arguments.size)
     window.show()
@@ -73,14 +82,16 @@ def _screenshot(arguments: argparse.Namespace) -> int:
             f"--size {width} x {height} is too small for the window; "
             f"expected at least {least.width()} x {least.height()}"
         )
-    picture = take_picture(window, camera=arguments.camera)
-    with replacing(arguments.out) as (draft,):
+    return application, window
+
+
+def _write(picture: QImage, out: Path) -> None:
+    from PySide6.QtCore import QByteArray
+    from PySide6.QtGui import QImageWriter
+
+    with replacing(out) as (draft,):
         if not QImageWriter(str(draft), QByteArray(b"png")).write(picture):
-            raise QovrError(f"{arguments.out}: the picture cannot be written")
-    window.hide()
-    window.deleteLater()
-    application.processEvents()
-    return 0
+            raise QovrError(f"{out}: the picture cannot be written")
 
 
 def take_picture(window: MainWindow, *, camera: str) -> QImage:
