@@ -149,15 +149,17 @@ class DisplaySettings:
     """Everything a user can choose about the picture and what is around it, apart from the camera; ``replace`` makes
     the next one.
 
-    ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the camera. ``shares_range``
-    lets a colour mean the same in both layers where both are shown. ``always_fits`` lets axes and colours follow every
-    edit, not only another document, formulation or layer. ``combs_u`` and ``combs_v`` are curvature combs on isolines
-    along u and v, their teeth ``comb_scale`` times as long as at first. ``section`` is seen while its
-    panel is.
+    ``document_samples`` draws the document's samples, all of them, joined by flat facets, in place of the exact surface
+    as finely as it is seen. ``colour_by`` is the name of what the colours say: a field, or a pattern that follows the
+    camera. ``shares_range`` lets a colour mean the same in both layers where both are shown. ``always_fits`` lets axes
+    and colours follow every edit, not only another document, formulation or layer. ``combs_u`` and ``combs_v`` are
+    curvature combs on isolines along u and v, their teeth ``comb_scale`` times as long as at first. ``section`` is seen
+    while its panel is.
     """
 
     layer: LayerChoice = LayerChoice.TRANSFORMED
     style: Style = Style.FACETS
+    document_samples: bool = False
     colour_map: ColourMap = ColourMap.CIVIDIS
     colour_by: str = Field.HEIGHT.name
     colour_range: ColourRange = ColourRange.AUTO

@@ -28,8 +28,8 @@ _COMMANDS = {
     MenuPlace.COLOUR_BAR: ("colour_by_", "", "colour_range_", "shares_range", "", "colour_map_", "", "show_colour_bar"),
     MenuPlace.VIEW: (
         "fit", "always_fits", "camera_back", "camera_forward", "", "camera_paper", "camera_top", "camera_isometric", "",
-        "layer_", "", "style_", "paper_look", "", "show_control_points", "show_labels", "show_axes", "show_legend",
-        "show_triad", "show_points", "", "probe", "tool_measure", "copy_picture", "underlay",
+        "layer_", "", "style_", "document_samples", "paper_look", "", "show_control_points", "show_labels", "show_axes",
+        "show_legend", "show_triad", "show_points", "", "probe", "tool_measure", "copy_picture", "underlay",
     ),
 }  # fmt: skip
 """By what lies under the mouse, the commands; a name that ends with a line stands for all that begin so."""

@@ -26,7 +26,7 @@ _BAR_CAMERAS = {
     "fit": "Fit",
 }
 _BAR_CHOICES = {
-    "Style": ["style_"],
+    "Style": ["style_", "document_samples"],
     "Colour by": ["colour_by_", "colour_range_", "colour_map_"],
     "Show": ["show_"],
 }

@@ -17,11 +17,17 @@ uniform vec4 u_line;
 uniform float u_line_width;
 uniform float u_logical;
 
-#ifndef FACETS
+#ifdef SAMPLES
+flat in float v_part;
+#elif !defined(FACETS)
 in float v_part;
 #endif
 #ifdef NORMALS
+#ifdef SAMPLES
+in vec3 v_place;
+#else
 in vec3 v_normal;
+#endif
 in vec3 v_toward;
 #endif
 #ifdef CELLS
@@ -58,9 +64,20 @@ float line_cover() {
 }
 #endif
 
+#ifdef NORMALS
+vec3 unit_normal() {
+#ifdef SAMPLES
+    // Of the facet, toward the viewer or away: that is the same to all who ask.
+    return normalize(cross(dFdx(v_place), dFdy(v_place)));
+#else
+    return normalize(v_normal);
+#endif
+}
+#endif
+
 #ifdef LIGHT
 vec3 lit(vec3 colour) {
-    vec3 normal = normalize(v_normal);
+    vec3 normal = unit_normal();
     normal = normal.z < 0.0 ? -normal : normal;
     float key = max(dot(normal, KEY_LIGHT), 0.0);
     float shine = max(dot(normal, GLOSS), 0.0);
@@ -84,7 +101,7 @@ vec3 surface_colour() {
 #elif defined(ZEBRA)
 // What the surface mirrors of a room with light and dark rings around the vertical.
 vec3 surface_colour() {
-    vec3 mirrored = reflect(-normalize(v_toward), normalize(v_normal));
+    vec3 mirrored = reflect(-normalize(v_toward), unit_normal());
     float stripes = degrees(acos(clamp(mirrored.y, -1.0, 1.0))) / u_degrees.x;
     float width = fwidth(stripes);
     float light = clamp((abs(fract(stripes) - 0.5) - 0.25) / max(width, 1e-6) + 0.5, 0.0, 1.0);
@@ -94,7 +111,7 @@ vec3 surface_colour() {
 #elif defined(ISOPHOTES)
 // Bands of equal angle between the normal and the line of sight, with a line where one ends.
 vec3 surface_colour() {
-    float facing = abs(dot(normalize(v_toward), normalize(v_normal)));
+    float facing = abs(dot(normalize(v_toward), unit_normal()));
     float bands = degrees(acos(clamp(facing, 0.0, 1.0))) / u_degrees.y;
     float last = u_degrees.z / u_degrees.y - 1.0;
     float width = max(fwidth(bands), 1e-6);

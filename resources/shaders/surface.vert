@@ -6,6 +6,9 @@ uniform vec2 u_counts;
 uniform vec2 u_cells;
 uniform vec4 u_eye;
 uniform float u_point_size;
+#ifdef RAMP
+uniform vec4 u_ramp;
+#endif
 
 in vec3 a_position;
 in vec3 a_normal;
@@ -14,11 +17,18 @@ in float a_part;
 in vec2 a_cell;
 #endif
 
-#ifndef FACETS
+#ifdef SAMPLES
+// A cell has the value at its first corner, which the indices name last in both of its triangles.
+flat out float v_part;
+#elif !defined(FACETS)
 out float v_part;
 #endif
 #ifdef NORMALS
+#ifdef SAMPLES
+out vec3 v_place;
+#else
 out vec3 v_normal;
+#endif
 out vec3 v_toward;
 #endif
 #ifdef CELLS
@@ -29,15 +39,24 @@ void main() {
 #if defined(CELLS) && defined(NET)
     v_cell = a_cell;
 #elif defined(CELLS)
-    // In floats, which hold every index of a display grid and divide faster than integers.
-    float row = floor((float(gl_VertexID) + 0.5) / u_counts.y);
-    v_cell = vec2(row, float(gl_VertexID) - row * u_counts.y) / (u_counts - 1.0) * u_cells;
+    // In floats, which hold every index of 4096 x 4096 samples and divide faster than integers; where the quotient
+    // is rounded past a whole number, what is left of the row tells.
+    float row = floor(float(gl_VertexID) / u_counts.y);
+    float column = float(gl_VertexID) - row * u_counts.y;
+    float missed = float(column >= u_counts.y) - float(column < 0.0);
+    v_cell = vec2(row + missed, column - missed * u_counts.y) / (u_counts - 1.0) * u_cells;
 #endif
-#ifndef FACETS
+#ifdef RAMP
+    v_part = clamp(dot(u_ramp, vec4(a_position, 1.0)), -1e3, 1e3);
+#elif !defined(FACETS)
     v_part = a_part;
 #endif
 #ifdef NORMALS
+#ifdef SAMPLES
+    v_place = u_view * a_position;
+#else
     v_normal = u_view * a_normal;
+#endif
     v_toward = u_view * (u_eye.xyz - u_eye.w * a_position);
 #endif
     gl_Position = u_matrix * vec4(a_position, 1.0);

@@ -134,6 +134,51 @@ def test_an_edit_with_its_redraw_beside_pyvista(bench, measure):
 
 
 @pytest.fixture
+def samples_drawn(bench):
+    """A function that has so many samples a side drawn; no picture at rest is drawn while a peer is timed."""
+
+    def draw(size):
+        bench.dispatch("SamplesChosen", (size, size))
+        bench.dispatch("DisplayChosen", "document_samples", True)
+        bench.settle()
+        bench.timed(bench.edit, 3)
+
+    pause = bench.view._refinement._pause
+    usual = pause.interval()
+    pause.setInterval(10**6)
+    yield draw
+    pause.setInterval(usual)
+    bench.dispatch("DisplayChosen", "document_samples", False)
+    bench.settle()
+
+
+def test_an_edit_of_all_samples_beside_a_bare_widget(bench, samples_drawn, measure):
+    """Vertices that are ready, in a buffer as ours by the same triangles, shader and antialiasing."""
+    from .bare import Bare
+
+    samples_drawn(1001)
+    bare = Bare(bench, SIZE)
+    measure("bare mesh 1001", edited(bench), counting(bare.edit))
+    bare.close()
+
+
+@pytest.mark.parametrize("size", STOCK_EVERY)
+def test_an_edit_of_all_samples_beside_the_stock_item(bench, samples_drawn, measure, size):
+    samples_drawn(size)
+    stock = Stock(bench.application, regular_document(size))
+    measure(f"stock mesh {size}", edited(bench), counting(stock.edit), every=STOCK_EVERY[size])
+    stock.close()
+
+
+@pytest.mark.parametrize("size", [101, 1001])
+def test_an_edit_of_all_samples_beside_pyvista(bench, samples_drawn, measure, size):
+    other = PyVista(size)
+    samples_drawn(size)
+    measure(f"pyvista mesh {size}", edited(bench), other.edit, every=3)
+    other.close()
+
+
+@pytest.fixture
 def coloured(bench):
     """The bench with a pinned reference and a knot in focus; colours are those of heights again at the end."""
     from qovr_core.edits import Direction, KnotPlace

@@ -8,7 +8,13 @@ import numpy.typing as npt
 from qovr_app.view3d.gl import api
 from qovr_app.view3d.scene.colouring import Colouring
 from qovr_app.view3d.scene.grid import Cells, Grid, cell_starts, places, windows_of
-from qovr_app.view3d.scene.mesh import FloatArray, revised_vertices, surface_vertices, triangle_indices
+from qovr_app.view3d.scene.mesh import (
+    FloatArray,
+    revised_vertices,
+    sample_places,
+    surface_vertices,
+    triangle_indices,
+)
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 from qovr_core.geometry.differential import ParametricSurface
@@ -16,8 +22,8 @@ from qovr_core.geometry.differential import ParametricSurface
 ATTRIBUTES = ("a_position", "a_normal", "a_part", "a_cell")
 """The vertex attributes in the order of their locations."""
 
-_VERTEX = (3, 3)
-"""Floats of a position and a normal."""
+_VERTEX, _SAMPLE = (3, 3), (3,)
+"""Floats of a position and a normal, and of a sample: a facet's own normal is seen where it is drawn."""
 
 
 class SurfaceBuffers:
@@ -45,7 +51,10 @@ class SurfaceBuffers:
         """Bring to the driver what has changed since the last picture, and let it draw from these buffers."""
         api.bind_vertex_array(self._array)
         grid = picture.grid
-        self._load_vertices(picture.scene.patch, grid)
+        if picture.settings.document_samples:
+            self._load_samples(picture.scene.patch, grid)
+        else:
+            self._load_vertices(picture.scene.patch, grid)
         if self._indexed != grid:
             api.load_indices(self._indices, triangle_indices(grid))
             self._indexed = grid
@@ -55,7 +64,7 @@ class SurfaceBuffers:
         api.bind_textures([self._colours, self._facets])
 
     def _load_vertices(self, patch: ParametricSurface, grid: Grid) -> None:
-        drawn_patch, drawn_grid, vertices = self._drawn or (None, None, None)
+        drawn_patch, drawn_grid, vertices = self._drawn_as(_VERTEX)
         if drawn_patch is patch and drawn_grid == grid:
             return
         if drawn_patch is None or vertices is None or drawn_grid != grid or windows_of(patch) == (1, 1):
@@ -65,6 +74,25 @@ class SurfaceBuffers:
             vertices, rows = revised_vertices(vertices, drawn_patch, patch, grid)
             api.rewrite(self._vertices, vertices, rows)
         self._drawn = patch, grid, vertices
+
+    def _load_samples(self, patch: ParametricSurface, grid: Grid) -> None:
+        drawn_patch, drawn_grid, places = self._drawn_as(_SAMPLE)
+        if drawn_patch is patch and drawn_grid == grid:
+            return
+        is_resized = places is None or drawn_grid != grid
+        if places is None or is_resized:
+            places = np.empty((*grid.shape, *_SAMPLE), dtype=np.float32)
+        sample_places(patch, grid, places)
+        api.load_attributes(self._vertices, places, _SAMPLE, location=0, is_resized=is_resized)
+        self._drawn = patch, grid, places
+
+    def _drawn_as(
+        self, widths: tuple[int, ...]
+    ) -> tuple[ParametricSurface, Grid, FloatArray] | tuple[None, None, None]:
+        """Return what was drawn last, if its vertices had so many floats."""
+        if self._drawn is None or self._drawn[2].shape[-1] != sum(widths):
+            return None, None, None
+        return self._drawn
 
     def _load_cells(self, grid: Grid, lined: Grid) -> None:
         """Say of every vertex of a net among which cells it lies: in one window counting tells."""
@@ -82,7 +110,9 @@ class SurfaceBuffers:
         if self._table is not colouring.table:
             self._table = colouring.table
             api.load_colours(self._colours, colouring.table)
-        if picture.has_facets:
+        if picture.settings.document_samples and colouring.ramp is not None:
+            return
+        if picture.has_facets and not picture.settings.document_samples:
             if self._faceted != (colouring, grid):
                 self._faceted = colouring, grid
                 firsts = np.ix_(cell_starts(grid.u), cell_starts(grid.v))

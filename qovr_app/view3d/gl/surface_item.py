@@ -18,7 +18,7 @@ from qovr_app.view3d.gl.program import link_program
 from qovr_app.view3d.gl.surface_buffers import ATTRIBUTES, SurfaceBuffers
 from qovr_app.view3d.scene.colouring import UNDEFINED
 from qovr_app.view3d.scene.grid import Grid, windows_of
-from qovr_app.view3d.scene.mesh import triangle_indices
+from qovr_app.view3d.scene.mesh import CORNERS
 from qovr_app.view3d.scene.patterns import BAND, BELOW, BELOW_PART, DARK_STRIPE, LARGEST_ANGLE, LIGHT_STRIPE, STRIPE
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_periods, line_width, relief
@@ -69,9 +69,7 @@ class SurfaceItem:
         self._bind(picture)
         program = self._program(picture)
         program.bind()
-        _set_view(program, picture, matrix)
-        _set_samples(program, picture)
-        _set_style(program, picture, pixel_ratio)
+        set_uniforms(program, picture, matrix, pixel_ratio)
         _draw(picture.settings.style, picture.grid)
         program.release()
         api.bind_vertex_array(0)
@@ -82,20 +80,34 @@ class SurfaceItem:
         self._buffers.bind(picture)
 
     def _program(self, picture: Picture) -> QOpenGLShaderProgram:
-        settings = picture.settings
-        defines = set(_STYLE_DEFINES[settings.style])
-        if picture.colouring.pattern is not None:
-            defines |= {picture.colouring.pattern.define, "NORMALS"}
-        if picture.has_facets:
-            defines |= {"FACETS", "CELLS"}
-        if line_opacity(settings) > 0:
-            defines |= {"LINES", "CELLS"}
-        if windows_of(picture.scene.patch) != (1, 1):
-            defines.add("NET")
-        key = frozenset(defines)
-        if key not in self._programs:
-            self._programs[key] = link_program("surface", defines=sorted(defines), attributes=ATTRIBUTES)
-        return self._programs[key]
+        defines = defines_of(picture)
+        if defines not in self._programs:
+            self._programs[defines] = link_program("surface", defines=sorted(defines), attributes=ATTRIBUTES)
+        return self._programs[defines]
+
+
+def defines_of(picture: Picture) -> frozenset[str]:
+    """Return the macros of the shaders that draw a picture's surface."""
+    settings = picture.settings
+    defines = set(_STYLE_DEFINES[settings.style])
+    if picture.colouring.pattern is not None:
+        defines |= {picture.colouring.pattern.define, "NORMALS"}
+    if settings.document_samples:
+        defines |= {"SAMPLES"} if picture.colouring.ramp is None else {"SAMPLES", "RAMP"}
+    elif picture.has_facets:
+        defines |= {"FACETS", "CELLS"}
+    if line_opacity(settings) > 0:
+        defines |= {"LINES", "CELLS"}
+    if windows_of(picture.scene.patch) != (1, 1):
+        defines.add("NET")
+    return frozenset(defines)
+
+
+def set_uniforms(program: QOpenGLShaderProgram, picture: Picture, matrix: Array, pixel_ratio: float) -> None:
+    """Tell the program that is bound how a picture's surface looks, and from where; parameters as of ``paint``."""
+    _set_view(program, picture, matrix)
+    _set_samples(program, picture)
+    _set_style(program, picture, pixel_ratio)
 
 
 def _set_view(program: QOpenGLShaderProgram, picture: Picture, matrix: Array) -> None:
@@ -113,6 +125,8 @@ def _set_samples(program: QOpenGLShaderProgram, picture: Picture) -> None:
     api.set_floats(at("u_cells"), *cells)
     for name, period in zip(("u_fine", "u_coarse"), line_periods(cells), strict=True):
         api.set_floats(at(name), *period, *(1 / cells_apart for cells_apart in period))
+    if picture.colouring.ramp is not None:
+        api.set_floats(at("u_ramp"), *picture.colouring.ramp)
     if picture.has_facets:
         api.set_integer(at("u_samples"), 1)
         facets = np.array(picture.facets.cells)
@@ -153,4 +167,4 @@ def _draw(style: Style, grid: Grid) -> None:
             api.let_points_have_sizes()
         api.draw_points(math.prod(grid.shape))
     else:
-        api.draw_triangles(triangle_indices(grid).size)
+        api.draw_triangles(CORNERS * math.prod(grid.cells))

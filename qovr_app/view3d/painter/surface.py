@@ -17,8 +17,9 @@ from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.surface_style import POINT_SIZE, line_opacity, line_width, relief
 from qovr_core.arrays import Array
 
-_MOVING_CELLS, _RESTING_CELLS = 30, 60
-"""Cells a side: painting one takes microseconds, and orbiting has to stay fluent."""
+_MOVING_CELLS, _RESTING_CELLS, _SAMPLE_CELLS = 30, 60, 100
+"""Cells a side, the last where samples are drawn as they are: painting one takes microseconds, and orbiting has to stay
+fluent."""
 
 _KEY_LIGHT = np.array([-0.36, 0.48, 0.80])
 """As in the surface's fragment shader."""
@@ -57,7 +58,8 @@ def paint_surface(painter: QPainter, picture: Picture, size: Size) -> None:
 
 
 def _grid(picture: Picture) -> Grid:
-    limit = _MOVING_CELLS if picture.moving else _RESTING_CELLS
+    resting = _SAMPLE_CELLS if picture.settings.document_samples else _RESTING_CELLS
+    limit = _MOVING_CELLS if picture.moving else resting
     return picture.grid.within((limit, limit)).fewer(limit)
 
 
@@ -94,7 +96,7 @@ def _paint_cells(painter: QPainter, picture: Picture, cells: Array, corners: Arr
 
 def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
     """Return red, green and blue of every cell (k, 4, 7): by its first corner in facets, else by its middle."""
-    normals = _unit(cells[..., 3:6].mean(axis=1) @ picture.camera.axes.T)
+    normals = _unit(_normals(picture, cells) @ picture.camera.axes.T)
     middles, toward = cells[..., :3].mean(axis=1), _toward(picture, cells[..., :3].mean(axis=1))
     if picture.has_facets:
         colours = picture.colouring.colours(cells[:, 0, 6], picture.theme.undefined)
@@ -111,6 +113,15 @@ def _cell_colours(picture: Picture, cells: Array) -> npt.NDArray[np.uint8]:
     light = 1 + relief(picture.settings) * (0.52 + 0.44 * key + 0.10 * normals[:, 2] - 1)
     lit: npt.NDArray[np.uint8] = np.clip(colours * light[:, None], 0, 255).astype(np.uint8)
     return lit
+
+
+def _normals(picture: Picture, cells: Array) -> Array:
+    """Return a normal of every cell (k, 4, 7), of no certain length: the surface's, or the flat facet's own."""
+    if not picture.settings.document_samples:
+        mean: Array = cells[..., 3:6].mean(axis=1)
+        return mean
+    first, second, third, fourth = cells[..., :3].transpose(1, 0, 2)
+    return np.cross(third - first, fourth - second)
 
 
 def _colours(picture: Picture, points: Array, normals: Array, parts: Array) -> npt.NDArray[np.uint8]:

@@ -14,6 +14,7 @@ from qovr_app.state.display import ColourRange, DisplaySettings, Scaling
 from qovr_app.state.names import label
 from qovr_app.style.colour_maps import DIVERGING, ENTRIES, colour_table
 from qovr_app.style.theme import Rgb
+from qovr_app.view3d.scene.frame import Frame
 from qovr_app.view3d.scene.grid import Grid
 from qovr_app.view3d.scene.mesh import FloatArray
 from qovr_app.view3d.scene.patterns import PATTERNS, Pattern
@@ -50,6 +51,7 @@ class Colouring:
     note : what keeps the picture from saying more, and how to change that; else empty
     values : gives the values at the vertices of a grid, (n, m) float64, NaN where there are none, while the scene lives
     pattern : what the colours show instead of values; None where they show values
+    ramp : what ``parts`` of a coordinate is of x, y, z in the unit space and 1, (4,); None of what is no coordinate
     """
 
     table: npt.NDArray[np.uint8]
@@ -59,6 +61,7 @@ class Colouring:
     note: str = ""
     values: Callable[[Grid], Array] = lambda grid: np.full(grid.shape, np.nan)
     pattern: Pattern | None = None
+    ramp: Array | None = None
 
     def parts(self, grid: Grid) -> FloatArray:
         """Return where in the colours the values on a grid lie: 0 and 1 are the ends, ``UNDEFINED`` is nowhere.
@@ -92,7 +95,8 @@ def colouring_of(scene: Scene, settings: DisplaySettings, grid: Grid, *, moving:
     grid : from whose vertices limits are taken where the settings leave them open
     moving : something moves, so that costly values are taken from a coarser grid
     """
-    key = (settings.shown_colours, settings.colour_map, settings.colour_range, settings.fixed_range, settings.scaling)
+    ranged = (settings.colour_range, settings.fixed_range, settings.document_samples)
+    key = (settings.shown_colours, settings.colour_map, settings.scaling, *ranged)
     found = scene.cache.get((key, grid, moving))
     if found is None:
         if settings.shown_colours in PATTERNS:
@@ -134,10 +138,23 @@ def _field_colouring(scene: Scene, settings: DisplaySettings, grid: Grid, moving
         return alive.values(field, grid, moving=moving)
 
     alike = [scene, *(peer for peer in scene.peers if not _missing(peer, field))]
-    seen = np.concatenate([each.values(field, grid.over(each.surface), moving=moving).ravel() for each in alike])
+    if settings.document_samples and field.axis is not None and settings.colour_range is not ColourRange.ROBUST:
+        seen = np.concatenate([each.surface_box[field.axis] for each in alike])  # their samples are what is seen
+    else:
+        seen = np.concatenate([each.values(field, grid.over(each.surface), moving=moving).ravel() for each in alike])
     limits, beyond = _limits(scene, settings, field, seen, moving)
     table = _section(colour_map, _reach(limits), limits) if colour_map == DIVERGING else colour_table(colour_map)
-    return Colouring(table, title, limits, beyond, _remark(scene, field, limits), values)
+    ramp = None if field.axis is None else _ramp(scene.frame, field.axis, limits)
+    return Colouring(table, title, limits, beyond, _remark(scene, field, limits), values, ramp=ramp)
+
+
+def _ramp(frame: Frame, axis: int, limits: Range) -> Array:
+    """Return (4,) what the part of the colours is of x, y, z in the unit space, and 1."""
+    ramp, (low, high) = np.array([0.0, 0.0, 0.0, 0.5]), limits
+    if high > low:
+        ramp[axis] = 1 / (frame.scale[axis] * (high - low))
+        ramp[3] = (frame.centre[axis] - low) / (high - low)
+    return read_only(ramp)
 
 
 def _limits(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from functools import lru_cache
 
 import numpy as np
@@ -19,6 +20,12 @@ FloatArray = npt.NDArray[np.float32]
 _SINGULAR = 1e-12
 """Squared length of S_u x S_v, in unit space, below which single precision no longer knows its direction; by the
 parameters of one window, which are longer where there are many."""
+
+CORNERS = 6
+"""Corners of the two triangles of a cell."""
+
+_KEPT = 2**18
+"""Cells up to which triangles are kept for pictures to come: display grids change at every rest, larger ones do not."""
 
 
 @lru_cache(maxsize=64)
@@ -145,15 +152,30 @@ def _mend_normals(normals: FloatArray, patch: Patch, grid: Grid) -> None:
         normals[rows, columns] = patch.window(a, b).normals(u, v)
 
 
-@lru_cache(maxsize=8)
+def sample_places(surface: ParametricSurface, grid: Grid, places: FloatArray) -> None:
+    """Write the points of a surface in unit space to (n, m, 3) float32, none of them beyond ``FARTHEST``."""
+    u, v = parameters(surface, grid)
+    if isinstance(surface, Patch) and _is_in_sight(surface.coefficients):
+        surface.points(u, v, out=places)
+    else:
+        np.clip(surface.points(u, v), -FARTHEST, FARTHEST, out=places, casting="same_kind")
+
+
 def triangle_indices(grid: Grid) -> npt.NDArray[np.uint32]:
-    """Return two triangles a cell, wound around S_u x S_v.
+    """Return two triangles a cell, wound around S_u x S_v, each of them ending at the cell's first corner.
 
     Returns
     -------
-    (cells 6,) uint32, read-only
+    (cells ``CORNERS``,) uint32, read-only
     """
+    return _kept_triangles(grid) if math.prod(grid.cells) <= _KEPT else _triangles(grid)
+
+
+def _triangles(grid: Grid) -> npt.NDArray[np.uint32]:
     m = grid.shape[1]
     corner = (cell_starts(grid.u)[:, None] * m + cell_starts(grid.v)).astype(np.uint32)[..., None]
     cell = np.array([m, m + 1, 0, m + 1, 1, 0], dtype=np.uint32)
     return read_only((corner + cell).ravel())
+
+
+_kept_triangles = lru_cache(maxsize=8)(_triangles)

@@ -117,16 +117,21 @@ class Picture:
     @property
     def grid(self) -> Grid:
         """The grid on which the surface is drawn."""
+        if self.settings.document_samples:
+            return sample_grid(self.scene.patch, self.scene.document.samples)
         return self.scene.grid(self.settings.style, moving=self.moving)
 
     @property
     def has_facets(self) -> bool:
         """Whether every cell has one colour, that of its first corner."""
-        return self.settings.style is Style.FACETS and self.settings.shown_colours not in PATTERNS
+        is_flat = self.settings.style is Style.FACETS or self.settings.document_samples
+        return is_flat and self.settings.shown_colours not in PATTERNS
 
     @property
     def facets(self) -> Grid:
         """The grid of the facets, where there are some."""
+        if self.settings.document_samples:
+            return self.grid
         return facet_grid(self.scene.patch, self.scene.document.samples)
 
     @property

@@ -190,7 +190,16 @@ def _switch_commands() -> list[Command]:
         is_checked=is_on("shares_range"),
         begins_part=True,
     )
-    return [*shown, shared, probe]
+    samples = Command(
+        "document_samples",
+        "&Document's samples",
+        switching("document_samples"),
+        "&View/St&yle",
+        tip="Draw the samples themselves, all of them, with flat facets between them as MATLAB does",
+        is_checked=is_on("document_samples"),
+        begins_part=True,
+    )
+    return [*shown, samples, shared, probe]
 
 
 def _view_commands() -> list[Command]:

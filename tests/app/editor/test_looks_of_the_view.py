@@ -26,3 +26,12 @@ def test_points_that_wait_to_be_set_are_marked_in_the_view(editor):
     editor.click("control_points.get")
     assert view.picture().pending == frozenset()
     assert view.picture().refused == frozenset()
+
+
+def test_that_the_documents_samples_are_drawn_is_remembered(make_editor):
+    editor = make_editor()
+    assert not editor.action("document_samples").isChecked()
+    editor.trigger("document_samples")
+    assert editor.window.view.picture().settings.document_samples
+    editor.discard()
+    assert make_editor().action("document_samples").isChecked()
