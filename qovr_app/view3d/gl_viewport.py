@@ -1,4 +1,4 @@
-"""A viewport drawn by OpenGL: backdrop image, surface, overlay image."""
+"""A viewport drawn by OpenGL: what lies behind the surface, the surface, what lies over it."""
 
 from __future__ import annotations
 
@@ -13,22 +13,27 @@ from PySide6.QtWidgets import QWidget
 
 from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.palette import theme_in_force
+from qovr_app.style.theme import Rgb
 from qovr_app.view3d import failures
 from qovr_app.view3d.gl import api
 from qovr_app.view3d.gl import figure as gl_figure
 from qovr_app.view3d.gl.buffer import smooth_edges
 from qovr_app.view3d.gl.calls import DriverError
 from qovr_app.view3d.gl.figure import Tile
-from qovr_app.view3d.gl.layer import ImageLayer
+from qovr_app.view3d.gl.mark_layer import MarkLayer
 from qovr_app.view3d.gl.support import gl_support, viewport_format
 from qovr_app.view3d.gl.surface_item import SurfaceItem
 from qovr_app.view3d.painter import surface as painter_surface
-from qovr_app.view3d.painter.backdrop import backdrop_key, draw_backdrop
-from qovr_app.view3d.painter.overlay import draw_overlay
+from qovr_app.view3d.painter.backdrop import backdrop
+from qovr_app.view3d.painter.overlay import overlay
+from qovr_app.view3d.painter.sprites import Sprites
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.work.gui_calls import InGui
 from qovr_core.files.progress import Progress
+
+_BEHIND, _OVER = range(2)
+"""Which list of marks lies where."""
 
 
 class GlViewport(QOpenGLWidget):
@@ -49,12 +54,10 @@ class GlViewport(QOpenGLWidget):
         self.setFormat(viewport_format(gl_support()))
         self._picture: Picture | None = None
         self._surface = SurfaceItem()
-        self._backdrop, self._overlay = ImageLayer(), ImageLayer()
-        self._backdrop_key: object = None
-        self._overlay_image = QImage()
+        self._marks = MarkLayer(Sprites())
         self._broken = False
         self._faulty: Picture | None = None
-        self._gl_things = (self._surface, self._backdrop, self._overlay)
+        self._gl_things = (self._surface, self._marks)
         self.frameSwapped.connect(self.painted)
         self.destroyed.connect(partial(_release, self._gl_things))
 
@@ -131,8 +134,7 @@ class GlViewport(QOpenGLWidget):
             self._clear()
 
     def _clear(self) -> None:
-        red, green, blue = (channel / 255 for channel in theme_in_force().background)
-        api.clear(red, green, blue, 1.0)
+        _fill(theme_in_force().background)
 
     def _release(self) -> None:
         """Destroy what was made in the context that is about to go."""
@@ -143,7 +145,6 @@ class GlViewport(QOpenGLWidget):
         self._forget()
 
     def _forget(self) -> None:
-        self._backdrop_key = None
         for thing in self._gl_things:
             thing.forget()
 
@@ -157,25 +158,24 @@ class GlViewport(QOpenGLWidget):
     def _paint_frame(self, picture: Picture) -> None:
         size, ratio = self.logical_size, self.devicePixelRatioF()
         self._surface.load(picture)
-        backdrop, key = None, (*backdrop_key(picture, size), ratio)
-        if key != self._backdrop_key:
-            backdrop, self._backdrop_key = blank_image(size, ratio), key
-            with painting(backdrop) as painter:
-                draw_backdrop(painter, picture, size)
-        # Before the surface: a driver that draws on the same processor would be disturbed by the painting.
-        self._overlay_image = blank_image(size, ratio, self._overlay_image)
-        with painting(self._overlay_image) as painter:
-            draw_overlay(painter, picture, size)
-        pixels = self._overlay_image.width(), self._overlay_image.height()
+        # Before the surface: a driver that draws on the same processor would be disturbed by the work.
+        pixels = round(size[0] * ratio), round(size[1] * ratio)
+        self._marks.load([backdrop(picture, size), overlay(picture, size)], pixels, ratio)
         # Without a graphics card several samples cost too much for motion: the picture at rest has them.
         with smooth_edges(pixels, wanted=not picture.moving and self.format().samples() < 2):
-            api.clear()
-            self._backdrop.draw(backdrop, blended=False)
+            _fill(picture.theme.background)
+            self._marks.draw(_BEHIND)
             self._surface.paint(picture, picture.camera.matrix(size), ratio)
-        self._overlay.draw(self._overlay_image, blended=True)
+        self._marks.draw(_OVER)
 
 
-def _release(things: tuple[SurfaceItem | ImageLayer, ...]) -> None:
+def _fill(colour: Rgb) -> None:
+    """Fill the viewport with a colour."""
+    red, green, blue = (channel / 255 for channel in colour)
+    api.clear(red, green, blue, 1.0)
+
+
+def _release(things: tuple[SurfaceItem | MarkLayer, ...]) -> None:
     """Destroy the GL objects of a viewport that is gone, its context with it: they live on in the shared
     one."""
     context = QOpenGLContext.globalShareContext()

@@ -15,8 +15,9 @@ from qovr_app.state.figure_options import FigureOptions
 from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.theme import Theme
 from qovr_app.view3d.figure.figure import Panel, save_figure
-from qovr_app.view3d.painter.backdrop import draw_backdrop
-from qovr_app.view3d.painter.overlay import draw_overlay
+from qovr_app.view3d.painter.backdrop import backdrop
+from qovr_app.view3d.painter.overlay import overlay
+from qovr_app.view3d.painter.paint import paint
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.viewport import Viewport
 from qovr_app.work.gui_calls import InGui
@@ -88,7 +89,10 @@ def _draw(
     surface: Callable[[Panel, float], QImage], painter: QPainter, panel: Panel, scale: float, transparent: bool
 ) -> None:
     picture, size = panel.picture, panel.size
-    draw_backdrop(painter, picture, size, transparent=transparent)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    if not transparent:
+        painter.fillRect(QRectF(0, 0, *size), QColor(*picture.theme.background))
+    paint(painter, backdrop(picture, size, filled=not transparent))
     if picture.settings.surface:
         painter.drawImage(QRectF(0, 0, *size), surface(panel, scale))
-    draw_overlay(painter, picture, size)
+    paint(painter, overlay(picture, size))

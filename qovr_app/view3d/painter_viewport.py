@@ -9,8 +9,9 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.palette import theme_in_force
 from qovr_app.view3d import failures
-from qovr_app.view3d.painter.backdrop import draw_backdrop
-from qovr_app.view3d.painter.overlay import draw_overlay
+from qovr_app.view3d.painter.backdrop import backdrop
+from qovr_app.view3d.painter.overlay import overlay
+from qovr_app.view3d.painter.paint import paint
 from qovr_app.view3d.painter.surface import paint_surface, surface_image
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.picture import Picture
@@ -56,10 +57,11 @@ class PainterViewport(QWidget):
         if picture is None:
             image.fill(QColor(*theme_in_force().background))
             return image
+        image.fill(QColor(*picture.theme.background))
         with painting(image) as painter:
-            draw_backdrop(painter, picture, size)
+            paint(painter, backdrop(picture, size))
             paint_surface(painter, picture, size)
-            draw_overlay(painter, picture, size)
+            paint(painter, overlay(picture, size))
         return image
 
     def surface_image(

@@ -45,14 +45,19 @@ def bind_textures(textures: Sequence[int]) -> None:
     gl("glActiveTexture", GL.TEXTURE0)
 
 
-def load_image(texture: int, pixels: npt.NDArray[np.uint8], size: tuple[int, int], *, is_resized: bool) -> None:
-    """Fill a texture with an image's pixels, four bytes each; faster where the size is the one it has."""
+def load_image(texture: int, pixels: npt.NDArray[np.uint8] | None, size: tuple[int, int]) -> None:
+    """Give a texture a size, and fill it with an image's pixels, four bytes each, or let it be filled later."""
     gl("glBindTexture", GL.TEXTURE_2D, texture)
     gl("glPixelStorei", GL.UNPACK_ALIGNMENT, 4)
-    if is_resized:
-        gl("glTexImage2D", GL.TEXTURE_2D, 0, GL.RGBA8, *size, 0, GL.RGBA, GL.UNSIGNED_BYTE, _address(pixels))
-    else:
-        gl("glTexSubImage2D", GL.TEXTURE_2D, 0, 0, 0, *size, GL.RGBA, GL.UNSIGNED_BYTE, _address(pixels))
+    address = 0 if pixels is None else _address(pixels)
+    gl("glTexImage2D", GL.TEXTURE_2D, 0, GL.RGBA8, *size, 0, GL.RGBA, GL.UNSIGNED_BYTE, address)
+
+
+def load_part(texture: int, pixels: npt.NDArray[np.uint8], corner: tuple[int, int], size: tuple[int, int]) -> None:
+    """Fill a part of a texture, from its corner on, with an image's pixels, four bytes each."""
+    gl("glBindTexture", GL.TEXTURE_2D, texture)
+    gl("glPixelStorei", GL.UNPACK_ALIGNMENT, 4)
+    gl("glTexSubImage2D", GL.TEXTURE_2D, 0, *corner, *size, GL.RGBA, GL.UNSIGNED_BYTE, _address(pixels))
 
 
 def load_colours(texture: int, table: npt.NDArray[np.uint8]) -> None:
@@ -197,9 +202,9 @@ def draw_points(count: int) -> None:
     gl("glDrawArrays", GL.POINTS, 0, count)
 
 
-def draw_triangle() -> None:
-    """Draw the first three vertices as a triangle."""
-    gl("glDrawArrays", GL.TRIANGLES, 0, 3)
+def draw_corners(vertices: range) -> None:
+    """Draw vertices as triangles, three after three."""
+    gl("glDrawArrays", GL.TRIANGLES, vertices.start, len(vertices))
 
 
 def draw_triangles(count: int) -> None:

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QPainter
 
 from qovr_app.style.theme import Rgb, Theme
-from qovr_app.view3d.painter.text import NORMAL, SMALL, Alignment, draw_text, plain, text_size
+from qovr_app.view3d.painter.text import NORMAL, SMALL, lettered, plain, text_size
 from qovr_app.view3d.scene.axes import AxisEdge
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.marks import Alignment, Place, Text
 
 TICK_LENGTH = 4.0
 _TEXT_GAP = 5.0
@@ -24,11 +24,9 @@ _LINE = 15.0
 _LETTER_HEIGHT = 0.8
 """Part of a text's pixel size that digits and capitals take: where these do not touch, both can be read."""
 
-Place = tuple[float, float]
 
-
-def draw_axis_texts(painter: QPainter, edges: list[AxisEdge], theme: Theme, size: Size, larger: float) -> None:
-    """Draw the texts of all axes: titles and what numbers share first, then every number that covers none of them.
+def axis_texts(edges: list[AxisEdge], theme: Theme, size: Size, larger: float) -> list[Text]:
+    """Return the texts of all axes: titles and what numbers share first, then every number that covers none of them.
 
     Parameters
     ----------
@@ -38,14 +36,15 @@ def draw_axis_texts(painter: QPainter, edges: list[AxisEdge], theme: Theme, size
     room, small, normal = _Room(size), round(larger * SMALL), round(larger * NORMAL)
     for edge in edges:
         place, alignment = _title_place(edge, small), _alignment(edge)
-        room.write(painter, edge.title, place, alignment, theme.ink, pixels=normal)
+        room.write(edge.title, place, alignment, theme.ink, pixels=normal)
         if edge.labels.note:
             note_place = _note_place(edge, place, alignment, larger)
-            room.write(painter, edge.labels.note, *note_place, theme.quiet_ink, pixels=small)
+            room.write(edge.labels.note, *note_place, theme.quiet_ink, pixels=small)
     for edge in edges:
         places = edge.ticks + (TICK_LENGTH + _TEXT_GAP) * edge.outward
         for (x, y), text in zip(places.tolist(), edge.labels.texts, strict=True):
-            room.write(painter, text, (x, y), _alignment(edge), theme.quiet_ink, pixels=small, is_dispensable=True)
+            room.write(text, (x, y), _alignment(edge), theme.quiet_ink, pixels=small, is_dispensable=True)
+    return room.texts
 
 
 def _alignment(edge: AxisEdge) -> Alignment:
@@ -76,10 +75,10 @@ class _Room:
     def __init__(self, size: Size) -> None:
         self._size = size
         self._taken: list[QRectF] = []
+        self.texts: list[Text] = []
 
     def write(
         self,
-        painter: QPainter,
         text: str,
         anchor: Place,
         alignment: Alignment,
@@ -98,4 +97,4 @@ class _Room:
         if is_dispensable and any(covered.intersects(other) for other in self._taken):
             return
         self._taken.append(covered)
-        draw_text(painter, plain(text), (x, y), (0, 0), colour, pixels=pixels)
+        self.texts.append(lettered(plain(text), (x, y), (0, 0), colour, pixels=pixels))

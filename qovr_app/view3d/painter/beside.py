@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
-
-from PySide6.QtCore import QRectF
-from PySide6.QtGui import QPainter
 
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.painter.colour_bar import bar_rect
-from qovr_app.view3d.painter.note import draw_plate
-from qovr_app.view3d.painter.text import NORMAL, SMALL, Runs, draw_text, plain, text_size
+from qovr_app.view3d.painter.note import plate
+from qovr_app.view3d.painter.text import NORMAL, SMALL, lettered, plain, text_size
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.marks import Box, Mark, Runs
 from qovr_app.view3d.scene.picture import Picture, has_colour_bar
 from qovr_core.arrays import Array
 
@@ -30,8 +29,8 @@ class Words:
     colour: Rgb | None = None
 
 
-def draw_beside(painter: QPainter, picture: Picture, point: Array, words: Words, size: Size) -> None:
-    """Draw a plate beside a point (3,) of the unit space; it never lies over the colour bar."""
+def beside(picture: Picture, point: Array, words: Words, size: Size) -> Iterator[Mark]:
+    """Yield a plate beside a point (3,) of the unit space; it never lies over the colour bar."""
     x, y = picture.camera.project(point[None], size)[0, :2].tolist()
     if not math.isfinite(x):
         return
@@ -39,12 +38,10 @@ def draw_beside(painter: QPainter, picture: Picture, point: Array, words: Words,
     height = (2 if words.below else 1) * _LEADING + _PAD
     right = bar_rect(size).left() - _EDGE if has_colour_bar(picture.settings, size) else size[0] - _EDGE
     left = x + _GAP if x + _GAP + width <= right else x - _GAP - width
-    plate = QRectF(
-        min(max(left, _EDGE), right - width), min(max(y + _GAP, _EDGE), size[1] - height - _EDGE), width, height
-    )
-    draw_plate(painter, plate, picture.theme)
-    top = plate.top() + _PAD / 2 + _LEADING / 2
-    draw_text(painter, words.line, (plate.left() + _PAD, top), (0, 0.5), picture.theme.ink, pixels=NORMAL)
+    left, top = min(max(left, _EDGE), right - width), min(max(y + _GAP, _EDGE), size[1] - height - _EDGE)
+    yield plate(Box(left, top, width, height), picture.theme)
+    middle = top + _PAD / 2 + _LEADING / 2
+    yield lettered(words.line, (left + _PAD, middle), (0, 0.5), picture.theme.ink, pixels=NORMAL)
     quiet = words.colour or picture.theme.quiet_ink
     if words.below:
-        draw_text(painter, plain(words.below), (plate.left() + _PAD, top + _LEADING), (0, 0.5), quiet)
+        yield lettered(plain(words.below), (left + _PAD, middle + _LEADING), (0, 0.5), quiet)

@@ -3,24 +3,24 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from decimal import Decimal
-from functools import lru_cache
 
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QColor, QImage, QPainter, QPen, QPolygonF
+from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
-from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.colour_bar import draw_bar, tick_line
 from qovr_app.style.colour_maps import ENTRIES
 from qovr_app.style.theme import Theme
 from qovr_app.style.tick_labels import TickLabels, tick_labels
 from qovr_app.style.ticks import is_flat, tick_positions
-from qovr_app.view3d.painter.text import NORMAL, SMALL, draw_text, plain, text_size, with_subscripts
+from qovr_app.view3d.painter.text import NORMAL, SMALL, lettered, paint_text, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.colouring import Colouring
+from qovr_app.view3d.scene.marks import Box, Mark, Strip
 from qovr_app.view3d.scene.picture import Picture, emphasis
 from qovr_core.arrays import Array
 from qovr_core.number_texts import power_text, significant_text
@@ -80,44 +80,26 @@ class _Bar:
     theme: Theme
     size: Size
 
+    def paint(self, painter: QPainter) -> None:
+        """Paint the bar with its ticks and title."""
+        rect, colouring = _plain_rect(self.size), self.colouring
+        draw_bar(painter, rect, _colours(colouring), self.theme)
+        _draw_arrows(painter, rect, self)
+        widest = 0.0 if math.isnan(colouring.limits[0]) else draw_ticks(painter, rect, colouring, self.theme)
+        place = rect.right() + _TICK_GAP + widest + 4, rect.center().y()
+        title = with_subscripts(colouring.title)
+        paint_text(painter, lettered(title, place, (0, 0.5), self.theme.ink, pixels=NORMAL, upright=True))
 
-def draw_colour_bar(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw the bar with its ticks and title. Where nothing has a value there is no bar."""
+
+def colour_bar(picture: Picture, size: Size) -> Iterator[Mark]:
+    """Yield the bar with its ticks and title. Where nothing has a value there is no bar."""
     colouring = picture.colouring
     if math.isnan(colouring.limits[0]) and colouring.pattern is None:
         return
-    larger, bar = emphasis(size), _Bar(colouring, picture.theme, _in_units(size))
-    if isinstance(painter.device(), QImage):
-        left = max(0.0, _plain_rect(bar.size).left() - _NOTE_ROOM)
-        ratio = painter.device().devicePixelRatioF()
-        image = _drawn(bar, left, ratio * larger)
-        painter.drawImage(QRectF(QPointF(left * larger, 0), image.size().toSizeF() / ratio), image)
-    else:
-        painter.save()
-        painter.scale(larger, larger)
-        _draw(painter, bar)
-        painter.restore()
-
-
-@lru_cache(maxsize=4)
-def _drawn(bar: _Bar, left: float, ratio: float) -> QImage:
-    """Return the strip of the viewport from ``left`` on; bars change less often than pictures."""
-    image = blank_image((bar.size[0] - left, bar.size[1]), ratio)
-    with painting(image) as painter:
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        painter.translate(-left, 0)
-        _draw(painter, bar)
-    return image
-
-
-def _draw(painter: QPainter, bar: _Bar) -> None:
-    rect, colouring = _plain_rect(bar.size), bar.colouring
-    draw_bar(painter, rect, _colours(colouring), bar.theme)
-    _draw_arrows(painter, rect, bar)
-    widest = 0.0 if math.isnan(colouring.limits[0]) else draw_ticks(painter, rect, colouring, bar.theme)
-    place = rect.right() + _TICK_GAP + widest + 4, rect.center().y()
-    title = with_subscripts(colouring.title)
-    draw_text(painter, title, place, (0, 0.5), bar.theme.ink, pixels=NORMAL, upright=True)
+    units = _in_units(size)
+    left = max(0.0, _plain_rect(units).left() - _NOTE_ROOM)
+    box = Box(left, 0.0, units[0] - left, units[1])
+    yield Strip(_Bar(colouring, picture.theme, units), box, emphasis(size))
 
 
 def _colours(colouring: Colouring) -> npt.NDArray[np.uint8]:
@@ -154,12 +136,12 @@ def draw_ticks(painter: QPainter, rect: QRectF, colouring: Colouring, theme: The
         tick = tick_line(rect, part, _TICK_LENGTH)
         painter.setPen(QPen(QColor(*theme.axis), 1.0))
         painter.drawLine(tick)
-        draw_text(painter, plain(text), (rect.right() + _TICK_GAP, tick.y1()), (0, 0.5), theme.quiet_ink)
+        paint_text(painter, lettered(plain(text), (rect.right() + _TICK_GAP, tick.y1()), (0, 0.5), theme.quiet_ink))
     if labels.note:
         width = text_size(plain(labels.note), SMALL)[0]
         left = min(rect.left(), rect.left() + _RIGHT - _BORDER - width)
         over = left, rect.top() - _FACTOR_GAP - (_ARROW if colouring.beyond[1] else 0.0)
-        draw_text(painter, plain(labels.note), over, (0, 0.5), theme.quiet_ink)
+        paint_text(painter, lettered(plain(labels.note), over, (0, 0.5), theme.quiet_ink))
     return max((text_size(plain(text), SMALL)[0] for text in labels.texts), default=0.0)
 
 

@@ -3,58 +3,42 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 from PySide6.QtCore import QPointF
-from PySide6.QtGui import QColor, QImage, QPainter, QPen
+from PySide6.QtGui import QImage, QPainter
 
-from qovr_app.style.canvas import dimmed
 from qovr_app.style.theme import Rgb
-from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.marks import MANY, Discs
 from qovr_core.arrays import Array
 
-_MANY = 300
-"""Discs above which drawing each as a shape would be slower than setting the pixels of all."""
 
-_RIM = 1.4
+def paint_discs(painter: QPainter, discs: Discs) -> None:
+    """Paint discs with the pen and the brush that are chosen; as shapes where the drawing is kept as shapes."""
+    device = painter.device()
+    if len(discs.places) > MANY and isinstance(device, QImage) and discs.fill and discs.pen:
+        look = _Look(discs.radius, discs.fill.colour, discs.pen.ink.colour, discs.pen.width)
+        painter.drawImage(QPointF(0, 0), _stamped(discs.places, look, device))
+        return
+    for x, y in discs.places.tolist():
+        painter.drawEllipse(QPointF(x, y), discs.radius, discs.radius)
 
 
-@dataclass(frozen=True)
-class Disc:
-    """How a disc looks; the radius in logical pixels."""
+class _Look(NamedTuple):
+    """How a disc looks; the radius and the width of the rim in logical pixels."""
 
     radius: float
     fill: Rgb
     rim: Rgb
-    opacity: float = 1.0
-
-    @property
-    def rim_width(self) -> float:
-        """How wide its rim is: narrow where the disc is small."""
-        return min(_RIM, self.radius / 2)
+    rim_width: float
 
 
-def draw_discs(painter: QPainter, places: Array, size: Size, disc: Disc) -> None:
-    """Draw discs about pixels (k, 2) of a viewport; as shapes where the drawing is kept as shapes."""
-    if not len(places):
-        return
-    device = painter.device()
-    with dimmed(painter, disc.opacity):
-        if len(places) > _MANY and isinstance(device, QImage):
-            painter.drawImage(QPointF(0, 0), _stamped(places, size, disc, device.devicePixelRatioF()))
-            return
-        painter.setPen(QPen(QColor(*disc.rim), disc.rim_width))
-        painter.setBrush(QColor(*disc.fill))
-        for x, y in places.tolist():
-            painter.drawEllipse(QPointF(x, y), disc.radius, disc.radius)
-
-
-def _stamped(places: Array, size: Size, disc: Disc, ratio: float) -> QImage:
-    """Return a transparent image of a viewport with the discs in it, each at the nearest pixel of the device."""
-    width, height = (math.ceil(side * ratio) for side in size)
+def _stamped(places: Array, disc: _Look, device: QImage) -> QImage:
+    """Return a transparent image like the device with the discs in it, each at the nearest pixel."""
+    width, height, ratio = device.width(), device.height(), device.devicePixelRatioF()
     stamp = _stamp(disc, ratio)
     reach = len(stamp) // 2
     # A border as wide as a disc reaches takes what lies half beyond the edge.
@@ -73,7 +57,7 @@ def _stamped(places: Array, size: Size, disc: Disc, ratio: float) -> QImage:
 
 
 @lru_cache(maxsize=16)
-def _stamp(disc: Disc, ratio: float) -> npt.NDArray[np.uint32]:
+def _stamp(disc: _Look, ratio: float) -> npt.NDArray[np.uint32]:
     """Return the pixels of one disc as premultiplied ARGB, (2 k + 1, 2 k + 1)."""
     outer, inner = ((disc.radius + side * disc.rim_width / 2) * ratio for side in (1, -1))
     reach = math.ceil(outer)

@@ -2,26 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.state.names import AXES
 from qovr_app.style.theme import Rgb, Theme
-from qovr_app.view3d.painter.beside import Words, draw_beside
-from qovr_app.view3d.painter.knot_handles import draw_chords, draw_knots
-from qovr_app.view3d.painter.text import Runs, draw_text, plain
+from qovr_app.view3d.painter.beside import Words, beside
+from qovr_app.view3d.painter.knot_handles import chords, knots
+from qovr_app.view3d.painter.text import lettered, plain
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.gizmo import gizmo_at
 from qovr_app.view3d.scene.grip import Freedom, across, along
 from qovr_app.view3d.scene.hand import Band, DragMarks
+from qovr_app.view3d.scene.marks import Cap, Discs, Ink, Lines, Mark, Pen, Polygon, Runs
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 from qovr_core.number_texts import USUAL_DIGITS, rounded_text, signed_text, true_minus
 
 _ARROW_WIDTH, _USED_WIDTH = 2.2, 3.6
 _HEAD = 11.0
-_SQUARE_OPACITY, _USED_OPACITY = 0.35, 0.8
+_SQUARE_OPACITY, _USED_OPACITY, _BAND_OPACITY = 0.35, 0.8, 0.12
 
 _GUIDE_REACH = 1.6
 """Unit lengths of a guide line both ways: beyond the axes box wherever it begins."""
@@ -36,60 +37,47 @@ def axis_colours(theme: Theme) -> tuple[Rgb, Rgb, Rgb]:
     return red, green, blue
 
 
-def draw_hand(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw what is seen of the mouse, if anything is."""
+def hand_marks(picture: Picture, size: Size) -> Iterator[Mark]:
+    """Yield what is seen of the mouse, if anything is."""
     hand = picture.hand
     if hand is None:
         return
-    draw_chords(painter, picture, size)
+    yield from chords(picture, size)
     if hand.drag is not None:
-        _draw_way(painter, picture, hand.drag, size)
+        yield from _way(picture, hand.drag, size)
     if picture.has_gizmo and picture.last_selected is not None:
         at = picture.last_selected if hand.drag is None else hand.drag.indices[0]
-        _draw_gizmo(painter, picture, picture.scene.points[at], hand.freedom, size)
-    draw_knots(painter, picture, size)
+        yield from _gizmo(picture, picture.scene.points[at], hand.freedom, size)
+    yield from knots(picture, size)
     if hand.drag is not None:
-        _draw_numbers(painter, picture, hand.drag, size)
+        yield from _numbers(picture, hand.drag, size)
     if hand.band is not None:
-        _draw_band(painter, hand.band, picture.theme)
+        yield _band(hand.band, picture.theme)
 
 
-def _draw_gizmo(painter: QPainter, picture: Picture, point: Array, used: Freedom | None, size: Size) -> None:
+def _gizmo(picture: Picture, point: Array, used: Freedom | None, size: Size) -> Iterator[Mark]:
     gizmo = gizmo_at(point, picture.camera, size)
     if gizmo is None:
         return
     colours = axis_colours(picture.theme)
     for axis, corners in gizmo.squares.items():
-        ground = QColor(*colours[axis])
-        ground.setAlphaF(_USED_OPACITY if used == across(axis) else _SQUARE_OPACITY)
-        painter.setPen(QPen(QColor(*colours[axis]), 1.0))
-        painter.setBrush(ground)
-        painter.drawPolygon(QPolygonF([QPointF(*corner) for corner in corners.tolist()]))
+        ground = Ink(colours[axis], _USED_OPACITY if used == across(axis) else _SQUARE_OPACITY)
+        yield Polygon(corners, Pen(Ink(colours[axis]), 1.0), ground)
     for axis, ends in gizmo.arrows.items():
         width = _USED_WIDTH if used == along(axis) else _ARROW_WIDTH
         way = ends[1] - ends[0]
         way = way / np.hypot(*way)
         neck, side = ends[1] - _HEAD * way, 0.4 * _HEAD * np.array([-way[1], way[0]])
         for colour, extra in ((picture.theme.rim, 2.0), (colours[axis], 0.0)):
-            painter.setPen(QPen(QColor(*colour), width + extra, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-            painter.drawLine(QLineF(*ends[0].tolist(), *neck.tolist()))
-        painter.setPen(QPen(QColor(*picture.theme.rim), 1.0))
-        painter.setBrush(QColor(*colours[axis]))
-        head = [ends[1], neck + side, neck - side]
-        painter.drawPolygon(QPolygonF([QPointF(*corner.tolist()) for corner in head]))
-        letter = ends[1] + 9.0 * way
-        draw_text(
-            painter,
-            plain(AXES[axis].upper()),
-            tuple(letter.tolist()),
-            (0.5, 0.5),
-            colours[axis],
-            halo=picture.theme.rim,
-        )
+            yield Lines(np.array([[ends[0], neck]]), Pen(Ink(colour), width + extra, Cap.ROUND))
+        head = np.array([ends[1], neck + side, neck - side])
+        yield Polygon(head, Pen(Ink(picture.theme.rim), 1.0), Ink(colours[axis]))
+        x, y = (ends[1] + 9.0 * way).tolist()
+        yield lettered(plain(AXES[axis].upper()), (x, y), (0.5, 0.5), colours[axis], halo=picture.theme.rim)
 
 
-def _draw_way(painter: QPainter, picture: Picture, drag: DragMarks, size: Size) -> None:
-    """Draw the lines along which the point moves, and where the points were."""
+def _way(picture: Picture, drag: DragMarks, size: Size) -> Iterator[Mark]:
+    """Yield the lines along which the point moves, and where the points were."""
     theme, frame = picture.theme, picture.scene.frame
     here, colours = picture.scene.points[drag.indices[0]], axis_colours(theme)
     for number, way in enumerate(drag.ways):
@@ -98,14 +86,11 @@ def _draw_way(painter: QPainter, picture: Picture, drag: DragMarks, size: Size) 
         seen = seen[np.isfinite(seen).all(axis=1)]
         if len(seen) > 1:
             colour = colours[drag.freedom.axes[number]] if drag.freedom.axes else theme.accent
-            painter.setPen(QPen(QColor(*colour), 1.4, Qt.PenStyle.DashLine))
-            painter.drawLine(QLineF(*seen[0].tolist(), *seen[-1].tolist()))
-    painter.setBrush(Qt.BrushStyle.NoBrush)
-    for x, y in picture.camera.project(frame.to_unit(drag.begun), size)[:, :2].tolist():
-        if np.isfinite(x):
+            yield Lines(seen[None, [0, -1]], Pen(Ink(colour), 1.4, is_dashed=True))
+    for at in picture.camera.project(frame.to_unit(drag.begun), size)[:, :2]:
+        if np.isfinite(at[0]):
             for colour, width in ((theme.rim, 3.4), (theme.accent, 1.4)):
-                painter.setPen(QPen(QColor(*colour), width))
-                painter.drawEllipse(QPointF(x, y), _GHOST_RADIUS, _GHOST_RADIUS)
+                yield Discs(at[None], _GHOST_RADIUS, Pen(Ink(colour), width), None)
 
 
 def drag_text(picture: Picture, drag: DragMarks) -> tuple[Runs, str]:
@@ -129,18 +114,15 @@ def drag_text(picture: Picture, drag: DragMarks) -> tuple[Runs, str]:
     return name, text
 
 
-def _draw_numbers(painter: QPainter, picture: Picture, drag: DragMarks, size: Size) -> None:
+def _numbers(picture: Picture, drag: DragMarks, size: Size) -> Iterator[Mark]:
     """Say beside the point where it is."""
     name, numbers = drag_text(picture, drag)
     point = picture.scene.points[drag.indices[0]]
     words = Words((*name, (f"   {numbers}", False)), _HELP if drag.is_new else "")
-    draw_beside(painter, picture, point, words, size)
+    return beside(picture, point, words, size)
 
 
-def _draw_band(painter: QPainter, band: Band, theme: Theme) -> None:
-    ground = QColor(*theme.accent)
-    ground.setAlphaF(0.12)
-    painter.setPen(QPen(QColor(*theme.accent), 1.0, Qt.PenStyle.DashLine))
-    painter.setBrush(ground)
+def _band(band: Band, theme: Theme) -> Mark:
     left, top, right, bottom = band
-    painter.drawRect(QRectF(QPointF(left, top), QPointF(right, bottom)).normalized())
+    corners = np.array([[left, top], [right, top], [right, bottom], [left, bottom]])
+    return Polygon(corners, Pen(Ink(theme.accent), 1.0, is_dashed=True), Ink(theme.accent, _BAND_OPACITY))

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import numpy as np
-from PySide6.QtCore import QLineF, QPointF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
+from collections.abc import Iterator
 
-from qovr_app.style.canvas import dimmed
+import numpy as np
+
 from qovr_app.style.theme import KNOT_SERIES, Rgb
-from qovr_app.view3d.painter.beside import Words, draw_beside
-from qovr_app.view3d.painter.text import NORMAL, Runs, draw_text
+from qovr_app.view3d.painter.beside import Words, beside
+from qovr_app.view3d.painter.text import NORMAL, lettered
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.hand import KnotMarks
 from qovr_app.view3d.scene.knot_handles import KnotHandle, seen_handle
+from qovr_app.view3d.scene.marks import Cap, Ink, Lines, Mark, Pen, Polygon, Runs
 from qovr_app.view3d.scene.picture import Picture
 from qovr_core.arrays import Array
 from qovr_core.number_texts import number_text, signed_text, true_minus
@@ -33,8 +33,8 @@ _HELP_OF_BOTH = "Ctrl lets s stay · type a value · Shift fine · Esc back"
 _IMPOSSIBLE = "a knot lies between 0 and 1, and is neither"
 
 
-def draw_chords(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw the chords, under everything that a hand takes."""
+def chords(picture: Picture, size: Size) -> Iterator[Mark]:
+    """Yield the chords, under everything that a hand takes."""
     for handle in picture.knot_handles:
         ends = _seen(picture, handle.ends, size)
         length = float(np.hypot(*(ends[1] - ends[0])))
@@ -42,21 +42,20 @@ def draw_chords(painter: QPainter, picture: Picture, size: Size) -> None:
             gap = _END_GAP / length * (ends[1] - ends[0])
             ends = ends + np.array([gap, -gap])
             for colour, width in ((picture.theme.rim, _CHORD_WIDTH + _RIM), (_colour(handle, picture), _CHORD_WIDTH)):
-                painter.setPen(QPen(QColor(*colour), width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap))
-                painter.drawLine(QLineF(*ends[0].tolist(), *ends[1].tolist()))
+                yield Lines(ends[None], Pen(Ink(colour), width, Cap.ROUND))
 
 
-def draw_knots(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw the handles, and the numbers of the one in the hand."""
+def knots(picture: Picture, size: Size) -> Iterator[Mark]:
+    """Yield the handles, and the numbers of the one in the hand."""
     marks = picture.hand.knot if picture.hand else None
     for handle in picture.knot_handles:
-        _draw_handle(painter, picture, handle, marks, size)
+        yield from _handle(picture, handle, marks, size)
     if marks is not None and marks.begun is not None:
         handle = next((each for each in picture.knot_handles if each.knot.place == marks.place), marks.begun)
         line, below = knot_text(handle, marks), _HELP_OF_BOTH if marks.begun.knot.takes_s else _HELP
         below = below if marks.is_new else ""
         words = Words(line, below) if marks.is_possible else Words(line, _IMPOSSIBLE, picture.theme.bad)
-        draw_beside(painter, picture, picture.scene.frame.to_unit(handle.point), words, size)
+        yield from beside(picture, picture.scene.frame.to_unit(handle.point), words, size)
 
 
 def knot_text(handle: KnotHandle, marks: KnotMarks) -> Runs:
@@ -70,36 +69,32 @@ def knot_text(handle: KnotHandle, marks: KnotMarks) -> Runs:
     return (*name, (f"  {number_text(handle.knot.value)}{moved}", False))
 
 
-def _draw_handle(painter: QPainter, picture: Picture, handle: KnotHandle, marks: KnotMarks | None, size: Size) -> None:
+def _handle(picture: Picture, handle: KnotHandle, marks: KnotMarks | None, size: Size) -> Iterator[Mark]:
     is_used = marks is not None and marks.place == handle.knot.place
     theme, colour = picture.theme, _colour(handle, picture)
     radius = _USED_RADIUS if is_used else _SMALL_RADIUS if handle.knot.place.name == "s" else _RADIUS
     if is_used and marks is not None and marks.begun is not None:
-        with dimmed(painter, _GHOST):
-            ghost, _ = seen_handle(marks.begun, picture.scene.frame, picture.camera, size)
-            _draw_diamond(painter, ghost, _RADIUS, (theme.rim, colour, theme.background))
+        ghost, _ = seen_handle(marks.begun, picture.scene.frame, picture.camera, size)
+        yield from _diamond(ghost, _RADIUS, (theme.rim, colour, theme.background), _GHOST)
     at, aside = seen_handle(handle, picture.scene.frame, picture.camera, size)
-    _draw_diamond(painter, at, radius, (theme.rim, colour, colour if is_used else theme.background))
+    yield from _diamond(at, radius, (theme.rim, colour, colour if is_used else theme.background))
     if not np.isfinite(at).all() or (marks is not None and marks.begun is not None):
         return
     text: Runs = ((handle.knot.place.letter, False),)
     if is_used and marks is not None:
         text = knot_text(handle, marks)
     x, y = (at + _LETTER_AWAY * aside).tolist()
-    draw_text(painter, text, (x, y), (0.5, 0.5), colour, pixels=NORMAL, halo=theme.rim)
+    yield lettered(text, (x, y), (0.5, 0.5), colour, pixels=NORMAL, halo=theme.rim)
 
 
-def _draw_diamond(painter: QPainter, at: Array, radius: float, colours: tuple[Rgb, Rgb, Rgb]) -> None:
-    """Draw a diamond at a pixel in three colours: its rim, its line, its ground."""
+def _diamond(at: Array, radius: float, colours: tuple[Rgb, Rgb, Rgb], opacity: float = 1.0) -> Iterator[Mark]:
+    """Yield a diamond at a pixel in three colours: its rim, its line, its ground."""
     if not np.isfinite(at).all():
         return
-    x, y = at.tolist()
-    corners = [QPointF(x, y - radius), QPointF(x + radius, y), QPointF(x, y + radius), QPointF(x - radius, y)]
+    corners = at + radius * np.array([[0, -1], [1, 0], [0, 1], [-1, 0]])
     rim, line, ground = colours
-    painter.setBrush(QColor(*ground))
-    for ink, width in ((rim, 4.0), (line, 2.0)):
-        painter.setPen(QPen(QColor(*ink), width))
-        painter.drawPolygon(QPolygonF(corners))
+    for colour, width in ((rim, 4.0), (line, 2.0)):
+        yield Polygon(corners, Pen(Ink(colour, opacity), width), Ink(ground, opacity))
 
 
 def _colour(handle: KnotHandle, picture: Picture) -> Rgb:

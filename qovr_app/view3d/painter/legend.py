@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from PySide6.QtCore import QLineF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+import numpy as np
 
-from qovr_app.view3d.painter.lines import Lines
-from qovr_app.view3d.painter.note import draw_plate
-from qovr_app.view3d.painter.text import SMALL, draw_text, text_size, with_subscripts
+from qovr_app.view3d.painter.lines import Family
+from qovr_app.view3d.painter.note import plate
+from qovr_app.view3d.painter.text import SMALL, lettered, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.marks import Box, Cap, Ink, Lines, Mark, Pen
 from qovr_app.view3d.scene.picture import Picture
 
 _CORNER, _BELOW_CAPTION = 8.0, 32.0
@@ -21,7 +21,7 @@ Room = tuple[float, float, float, float]
 """Left, top, right and bottom in logical pixels."""
 
 
-def legend_room(picture: Picture, families: Sequence[Lines], size: Size) -> Room | None:
+def legend_room(picture: Picture, families: Sequence[Family], size: Size) -> Room | None:
     """Return where the legend lies: in the upper left, or out of the way of what is read off there.
 
     None where the net alone is drawn, which needs none.
@@ -36,22 +36,20 @@ def legend_room(picture: Picture, families: Sequence[Lines], size: Size) -> Room
     return left, top, left + width, top + 2 * _PAD + _ROW * len(names)
 
 
-def draw_legend(painter: QPainter, picture: Picture, families: Sequence[Lines], size: Size) -> None:
-    """Draw a line of every kind beside its name."""
+def legend(picture: Picture, families: Sequence[Family], size: Size) -> Iterator[Mark]:
+    """Yield a line of every kind beside its name."""
     room, theme = legend_room(picture, families, size), picture.theme
     if room is None:
         return
     left, top, right, bottom = room
-    draw_plate(painter, QRectF(left, top, right - left, bottom - top), theme)
+    yield plate(Box(left, top, right - left, bottom - top), theme)
     for k, (name, lines) in enumerate(_entries(families).items()):
         x, y = left + _PAD, top + _PAD + (k + 0.5) * _ROW
-        painter.setPen(
-            QPen(QColor(*lines.colour), max(2.0, 1.2 * lines.width), Qt.PenStyle.SolidLine, Qt.PenCapStyle.FlatCap)
-        )
-        painter.drawLine(QLineF(x, y, x + _LINE, y))
-        draw_text(painter, with_subscripts(name), (x + _LINE + _GAP, y), (0, 0.5), theme.ink)
+        pen = Pen(Ink(lines.colour), max(_LEAST_WIDTH, 1.2 * lines.width), Cap.FLAT)
+        yield Lines(np.array([[[x, y], [x + _LINE, y]]]), pen)
+        yield lettered(with_subscripts(name), (x + _LINE + _GAP, y), (0, 0.5), theme.ink)
 
 
-def _entries(families: Sequence[Lines]) -> dict[str, Lines]:
+def _entries(families: Sequence[Family]) -> dict[str, Family]:
     """Return each kind of lines by its name, as they are drawn."""
     return {lines.name: lines for lines in families if lines.name}

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
-from PySide6.QtCore import QLineF, QPointF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.scene.camera import Size
@@ -16,6 +15,7 @@ from qovr_app.view3d.scene.combs import combs_along
 from qovr_app.view3d.scene.curve_lines import FEW
 from qovr_app.view3d.scene.frame import Frame
 from qovr_app.view3d.scene.joints import has_windows, joint_lines, outline
+from qovr_app.view3d.scene.marks import Cap, Ink, Lines, Mark, Pen, Polyline
 from qovr_app.view3d.scene.net_marks import gaps, shown_part
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.sections import section_lines
@@ -39,7 +39,7 @@ _HIDDEN = 0.3
 
 
 @dataclass(frozen=True, eq=False)
-class Lines:
+class Family:
     """Polylines (k, n, 3) of the unit space that look alike; every ``straight`` pieces lie on one line.
 
     ``name`` says in a legend what they are; the letters after ``_`` are a subscript.
@@ -57,32 +57,32 @@ class Lines:
         return self.name not in ("", _NET)
 
 
-def lines_of(picture: Picture, size: Size) -> list[Lines]:
+def lines_of(picture: Picture, size: Size) -> list[Family]:
     """Return the lines to draw, lowest first."""
     settings, scene, theme = picture.settings, picture.scene, picture.theme
     found = []
     if settings.control_box:
         edges = _box_edges(scene.frame, scene.control_box)
-        found.append(Lines(edges, theme.series[4], _BOX_WIDTH, _PIECES, "Box of the points"))
+        found.append(Family(edges, theme.series[4], _BOX_WIDTH, _PIECES, "Box of the points"))
     if settings.surface_box:
         edges = _box_edges(scene.frame, scene.surface_box)
-        found.append(Lines(edges, theme.axis, _BOX_WIDTH, _PIECES, "Box of the surface"))
+        found.append(Family(edges, theme.axis, _BOX_WIDTH, _PIECES, "Box of the surface"))
     if settings.control_net:
         for net in _net_lines(picture, size):
             straight = max(1, min(_PIECES, _LINE_PIECES // (max(scene.net_shape) - 1)))
-            found.append(Lines(_divided(net, straight), theme.net, _NET_WIDTH, straight, _NET))
+            found.append(Family(_divided(net, straight), theme.net, _NET_WIDTH, straight, _NET))
     if settings.row_curves:
         curves = _curves(picture, size, scene.row_curves, picture.net_points)
-        found.append(Lines(curves, theme.row_curve, _CURVE_WIDTH, name="C_i(u)"))
+        found.append(Family(curves, theme.row_curve, _CURVE_WIDTH, name="C_i(u)"))
     if settings.column_curves:
         curves = _curves(picture, size, scene.column_curves, picture.net_points.transpose(1, 0, 2))
-        found.append(Lines(curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
+        found.append(Family(curves, theme.column_curve, _CURVE_WIDTH, name="K_j(v)"))
     found += _joints(picture, size) + _combs(picture)
     if settings.section is not None:
         name, pieces = section_lines(scene, settings.section)
-        found += [Lines(piece[None], theme.section, _SECTION_WIDTH, name=name) for piece in pieces]
+        found += [Family(piece[None], theme.section, _SECTION_WIDTH, name=name) for piece in pieces]
     if len(scene.lines):
-        found.append(Lines(scene.lines, theme.comparison, _COMPARISON_WIDTH, name=scene.lines_name))
+        found.append(Family(scene.lines, theme.comparison, _COMPARISON_WIDTH, name=scene.lines_name))
     return found
 
 
@@ -94,25 +94,25 @@ def _curves(picture: Picture, size: Size, curves: Array, net: Array) -> Array:
     return _some(curves, gaps(picture.camera.project(net, size))[1])[:, :: FEW if picture.moving else 1]
 
 
-def _joints(picture: Picture, size: Size) -> list[Lines]:
+def _joints(picture: Picture, size: Size) -> list[Family]:
     """Return the joints of a net's windows and the outline of the one in focus; of small ones only what is rare."""
-    scene, theme, found = picture.scene, picture.theme, list[Lines]()
+    scene, theme, found = picture.scene, picture.theme, list[Family]()
     if not picture.settings.joints or not has_windows(scene):
         return found
     corners, joints = scene.window_corners, joint_lines(scene)
     gap = min(gaps(picture.camera.project(corners, size)))
     if gap >= _LEAST_GAP:
-        found += [Lines(each, theme.smooth_joint, _SMOOTH_WIDTH, name="Smooth joint") for each in joints.smooth]
+        found += [Family(each, theme.smooth_joint, _SMOOTH_WIDTH, name="Smooth joint") for each in joints.smooth]
     if picture.window is not None:
-        found.append(Lines(outline(scene, picture.window), theme.selected, _FOCUS_WIDTH, name="Window in focus"))
+        found.append(Family(outline(scene, picture.window), theme.selected, _FOCUS_WIDTH, name="Window in focus"))
     for each in joints.sharp:  # over the outline, as in the map: else a crease beside the window would not be seen
-        found.append(Lines(_some(each, gap), theme.sharp_joint, _SHARP_WIDTH, name="Sharp joint"))
+        found.append(Family(_some(each, gap), theme.sharp_joint, _SHARP_WIDTH, name="Sharp joint"))
     if gap < FEW * _LEAST_GAP:  # one piece is then enough for so many
         found = [replace(lines, points=lines.points[:, ::FEW]) for lines in found]
     return found
 
 
-def _combs(picture: Picture) -> list[Lines]:
+def _combs(picture: Picture) -> list[Family]:
     """Return the teeth of curvature combs and the lines along their tips."""
     settings, theme = picture.settings, picture.theme
     found = []
@@ -122,12 +122,12 @@ def _combs(picture: Picture) -> list[Lines]:
     ):
         if is_shown:
             combs, name = combs_along(picture.scene, is_u=is_u, scale=settings.comb_scale), f"Comb along {'vu'[is_u]}"
-            found += [Lines(combs.teeth, colour, _TOOTH_WIDTH), Lines(combs.tips, colour, _TIPS_WIDTH, name=name)]
+            found += [Family(combs.teeth, colour, _TOOTH_WIDTH), Family(combs.tips, colour, _TIPS_WIDTH, name=name)]
     return found
 
 
-def draw_lines(painter: QPainter, lines: Lines, seen: Array, hidden: Flags) -> None:
-    """Draw polylines at pixels (k, n, 2), dim where both ends of a piece are hidden, (k, n).
+def line_marks(lines: Family, seen: Array, hidden: Flags) -> Iterator[Mark]:
+    """Yield polylines at pixels (k, n, 2), dim where both ends of a piece are hidden, (k, n).
 
     Pieces of which an end is no number are left out.
     """
@@ -138,22 +138,18 @@ def draw_lines(painter: QPainter, lines: Lines, seen: Array, hidden: Flags) -> N
     if lines.straight > 1:
         ends[:, :: lines.straight] = True
     for is_dim in (True, False):
-        ink = QColor(*lines.colour)
-        ink.setAlphaF(_HIDDEN if is_dim else 1.0)
-        painter.setPen(
-            QPen(ink, lines.width, Qt.PenStyle.SolidLine, Qt.PenCapStyle.RoundCap, Qt.PenJoinStyle.RoundJoin)
-        )
+        pen = Pen(Ink(lines.colour, _HIDDEN if is_dim else 1.0), lines.width, Cap.ROUND)
         straight = []
-        for line, stops, kind in zip(seen.tolist(), ends, kinds.tolist(), strict=True):
+        for line, stops, kind in zip(seen, ends, kinds.tolist(), strict=True):
             for start, stop in itertools.pairwise(np.flatnonzero(stops).tolist()):
                 if kind[start] != is_dim:
                     continue
                 if lines.straight > 1:
-                    straight.append(QLineF(*line[start], *line[stop]))
+                    straight.append(line[[start, stop]])
                 else:
-                    run = [QPointF(x, y) for x, y in line[start : stop + 1]]
-                    painter.drawPolyline(QPolygonF(run))
-        painter.drawLines(straight)
+                    yield Polyline(line[start : stop + 1], pen)
+        if straight:
+            yield Lines(np.array(straight), pen)
 
 
 def _divided(corners: Array, count: int = _PIECES) -> Array:

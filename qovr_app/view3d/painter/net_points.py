@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from PySide6.QtCore import QPointF
-from PySide6.QtGui import QColor, QPainter, QPen
 
 from qovr_app.style.theme import Rgb
 from qovr_app.view3d.painter.colour_bar import bar_room
-from qovr_app.view3d.painter.discs import Disc, draw_discs
 from qovr_app.view3d.painter.legend import Room
-from qovr_app.view3d.painter.text import SMALL, Runs, draw_text, text_size
+from qovr_app.view3d.painter.text import SMALL, lettered, text_size
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.marks import Discs, Ink, Mark, Pen, Runs
 from qovr_app.view3d.scene.net_flags import flags_of
 from qovr_app.view3d.scene.net_marks import LAST, MANY, OTHER, NetPart, covers, is_within, levels, ranks, with_room
 from qovr_app.view3d.scene.picture import Picture, emphasis, has_colour_bar
@@ -27,7 +26,7 @@ _LEAST_RADIUS, _PART_OF_GAP = 1.0, 0.22
 """Where the points of a net crowd their discs are smaller, so that the surface is seen between them."""
 
 _MARKED_RADIUS, _HALO_RADIUS, _RING_RADIUS = 6.0, 8.5, 10.0
-_RING_WIDTH = 2.4
+_RING_WIDTH, _RIM = 2.4, 1.4
 
 _LABEL_OFFSET = (6.0, -4.0)
 _LABEL_RISE = 0.75
@@ -72,20 +71,20 @@ class SeenNet:
         return self.part.of(flags_of(points, self.shape))
 
 
-def draw_points(painter: QPainter, picture: Picture, net: SeenNet, size: Size) -> None:
-    """Draw the control points, dim where they are hidden."""
+def net_points(picture: Picture, net: SeenNet, size: Size) -> Iterator[Mark]:
+    """Yield the control points, dim where they are hidden."""
     theme, larger, seen, hidden = picture.theme, emphasis(size), net.at, net.hidden
     radius = larger * _radius(net.gap)
     selected, is_seen = net.flags(picture.selected), is_within(seen, size)
     dim = _SEEN_THROUGH if picture.tools.xray else _HIDDEN
     for points, halo in ((picture.pending, theme.pending), (picture.refused, theme.bad)):
         flags = net.flags(points) & is_seen
-        draw_discs(painter, seen[flags], size, Disc(larger * _HALO_RADIUS, halo, theme.rim))
+        yield from _discs(seen[flags], larger * _HALO_RADIUS, halo, theme.rim)
     for flags, opacity in ((hidden & ~selected, dim), (~hidden & ~selected, 1.0)):
-        draw_discs(painter, seen[flags & is_seen], size, Disc(radius, theme.point, theme.rim, opacity))
+        yield from _discs(seen[flags & is_seen], radius, theme.point, theme.rim, opacity)
     scale, chosen = max(radius, 2 * _LEAST_RADIUS) / POINT_RADIUS, seen[selected & is_seen]
-    draw_discs(painter, chosen, size, Disc(_RING_RADIUS * scale, theme.rim, theme.selected))
-    draw_discs(painter, chosen, size, Disc(_MARKED_RADIUS * scale, theme.selected, theme.rim))
+    yield from _discs(chosen, _RING_RADIUS * scale, theme.rim, theme.selected)
+    yield from _discs(chosen, _MARKED_RADIUS * scale, theme.selected, theme.rim)
     for index in (picture.last_selected, picture.hovered):
         if index is None:
             continue
@@ -93,12 +92,16 @@ def draw_points(painter: QPainter, picture: Picture, net: SeenNet, size: Size) -
         if not is_seen[at]:
             continue
         if index == picture.last_selected:
-            painter.setBrush(QColor(*theme.rim))
-            painter.setPen(QPen(QColor(*_ring_colour(picture, index)), _RING_WIDTH))
-            ring = larger * _RING_RADIUS
-            painter.drawEllipse(QPointF(*seen[at].tolist()), ring, ring)
+            pen = Pen(Ink(_ring_colour(picture, index)), _RING_WIDTH)
+            yield Discs(seen[at][None], larger * _RING_RADIUS, pen, Ink(theme.rim))
         colour = theme.selected if selected[at] else theme.point
-        draw_discs(painter, seen[at][None], size, Disc(larger * _MARKED_RADIUS, colour, theme.rim))
+        yield from _discs(seen[at][None], larger * _MARKED_RADIUS, colour, theme.rim)
+
+
+def _discs(places: Array, radius: float, fill: Rgb, rim: Rgb, opacity: float = 1.0) -> Iterator[Mark]:
+    """Yield discs, where there are some, with a rim that is narrow where they are small."""
+    if len(places):
+        yield Discs(places, radius, Pen(Ink(rim), min(_RIM, radius / 2)), Ink(fill), opacity)
 
 
 def _ring_colour(picture: Picture, index: NetIndex) -> Rgb:
@@ -113,8 +116,8 @@ def _radius(gap: float) -> float:
     return round(min(POINT_RADIUS, max(_LEAST_RADIUS, _PART_OF_GAP * gap)), 1)
 
 
-def draw_labels(painter: QPainter, picture: Picture, net: SeenNet, size: Size, legend: Room | None) -> None:
-    """Name the points that are visible, hovered or selected, as far as the names have room.
+def point_labels(picture: Picture, net: SeenNet, size: Size, legend: Room | None) -> Iterator[Mark]:
+    """Yield the names of the points that are visible, hovered or selected, as far as they have room.
 
     Parameters
     ----------
@@ -132,7 +135,7 @@ def draw_labels(painter: QPainter, picture: Picture, net: SeenNet, size: Size, l
     pixels, offset = round(larger * SMALL), larger * np.array(_LABEL_OFFSET)
     width, height = text_size(_name(rows - 1, columns - 1), pixels)
     taken = np.array([*_taken(picture, size), *([legend] if legend else [])])
-    discs = _discs(picture, net, size, larger)
+    discs = _disc_boxes(picture, net, size, larger)
     # The name of a selected point begins beside its ring, and is away from the arrows where it has some.
     beside = offset[0] + np.where(rank != OTHER, larger * _RING_RADIUS, 0.0)
     at = seen[i, j] + [0.0, offset[1] - _LABEL_RISE * height]
@@ -147,7 +150,7 @@ def draw_labels(painter: QPainter, picture: Picture, net: SeenNet, size: Size, l
         ink = theme.selected if is_marked and (i[number], j[number]) != picture.hovered else theme.ink
         at = tuple(corners[number].tolist())
         name = _name(i[number], j[number])
-        draw_text(painter, name, at, (0, 0), ink, pixels=pixels, halo=theme.rim, opacity=opacity)
+        yield lettered(name, at, (0, 0), ink, pixels=pixels, halo=theme.rim, opacity=opacity)
 
 
 def _beside(at: Array, beside: Array, room: tuple[float, float], turns: Flags, ground: tuple[Array, Array]) -> Array:
@@ -169,7 +172,7 @@ def _beside(at: Array, beside: Array, room: tuple[float, float], turns: Flags, g
     return corners
 
 
-def _discs(picture: Picture, net: SeenNet, size: Size, larger: float) -> Array:
+def _disc_boxes(picture: Picture, net: SeenNet, size: Size, larger: float) -> Array:
     """Return the boxes of the discs, which only the name of a marked point covers, (m, 4); none where they are many."""
     places = net.at[is_within(net.at, size)]
     if not picture.settings.control_points or len(places) > MANY or net.is_thinned:

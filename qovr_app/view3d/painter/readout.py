@@ -4,16 +4,15 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 
 import numpy as np
-from PySide6.QtCore import QPointF, QRectF
-from PySide6.QtGui import QColor, QPainter, QPen
 
-from qovr_app.view3d.painter.note import draw_plate
-from qovr_app.view3d.painter.text import SMALL, draw_text, plain, text_size, with_subscripts
+from qovr_app.view3d.painter.note import plate
+from qovr_app.view3d.painter.text import SMALL, lettered, plain, text_size, with_subscripts
 from qovr_app.view3d.scene.camera import Size
 from qovr_app.view3d.scene.frame import Frame
+from qovr_app.view3d.scene.marks import Box, Discs, Ink, Mark, Pen
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.probing import Parameters, Reading, reading_at
 from qovr_core.number_texts import significant_text
@@ -50,28 +49,26 @@ def readout_text(reading: Reading) -> str:
     return "".join(f"{line}\n" for line in lines)
 
 
-def draw_readout(painter: QPainter, picture: Picture, probed: Parameters, size: Size) -> None:
-    """Draw the mark and the table of the point of the surface that is probed."""
+def readout(picture: Picture, probed: Parameters, size: Size) -> Iterator[Mark]:
+    """Yield the mark and the table of the point of the surface that is probed."""
     (u, v), scene, theme = probed, picture.scene, picture.theme
     x, y, _ = picture.camera.project(scene.patch.points([u], [v])[0, 0], size).tolist()
     if math.isfinite(x):
         for colour, width in ((theme.rim, 4.0), (theme.ink, 1.6)):
-            painter.setPen(QPen(QColor(*colour), width))
-            painter.setBrush(QColor(0, 0, 0, 0))
-            painter.drawEllipse(QPointF(x, y), _RING, _RING)
+            yield Discs(np.array([[x, y]]), _RING, Pen(Ink(colour), width), None)
     rows = readout_rows(reading_at(scene, probed, picture.settings.colour_by))
     texts = [
         [_number(*each) for each in zip(numbers, _digits(name, scene.frame), strict=False)] for name, numbers in rows
     ]
     widths = [max(_COLUMN, *(text_size(plain(text), SMALL)[0] + _GAP for text in column)) for column in _columns(texts)]
-    plate = QRectF(*_CORNER, 2 * _PAD + _LABEL + sum(widths), 2 * _PAD + len(rows) * _ROW)
-    draw_plate(painter, plate, theme)
+    left, top = _CORNER
+    yield plate(Box(left, top, 2 * _PAD + _LABEL + sum(widths), 2 * _PAD + len(rows) * _ROW), theme)
     for k, ((name, _), numbers) in enumerate(zip(rows, texts, strict=True)):
-        middle = plate.top() + _PAD + (k + 0.5) * _ROW
-        draw_text(painter, with_subscripts(name), (plate.left() + _PAD, middle), (0, 0.5), theme.quiet_ink)
+        middle = top + _PAD + (k + 0.5) * _ROW
+        yield lettered(with_subscripts(name), (left + _PAD, middle), (0, 0.5), theme.quiet_ink)
         for text, right in zip(numbers, itertools.accumulate(widths), strict=False):
-            place = plate.left() + _PAD + _LABEL + right, middle
-            draw_text(painter, plain(text), place, (1, 0.5), theme.ink, pixels=SMALL)
+            place = left + _PAD + _LABEL + right, middle
+            yield lettered(plain(text), place, (1, 0.5), theme.ink, pixels=SMALL)
 
 
 def _columns(texts: list[list[str]]) -> list[list[str]]:

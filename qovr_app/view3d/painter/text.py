@@ -4,7 +4,6 @@ figures."""
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from functools import lru_cache
 
 from PySide6.QtCore import QPointF, Qt
@@ -22,6 +21,7 @@ from PySide6.QtGui import (
 
 from qovr_app.style.canvas import blank_image, dimmed, painting
 from qovr_app.style.theme import Rgb
+from qovr_app.view3d.scene.marks import Alignment, Lettering, Place, Runs, Text
 
 SMALL, NORMAL = 11, 12
 """Pixel sizes: tick labels and point labels, titles."""
@@ -30,13 +30,6 @@ _SUBSCRIPT_SIZE = 0.74
 _SUBSCRIPT_DROP = 0.24
 _HALO_WIDTH = 3.0
 _PAD = 3
-
-Runs = tuple[tuple[str, bool], ...]
-"""Pieces of a text, each with whether it is a subscript."""
-
-Alignment = tuple[float, float]
-"""Where the anchor lies in the text's box: (0, 0) upper left, (0.5, 0.5) in the middle, (1, 1) lower
-right."""
 
 
 def plain(text: str) -> Runs:
@@ -76,10 +69,9 @@ def text_size(runs: Runs, pixels: int) -> tuple[float, float]:
     return width, QFontMetricsF(_font(pixels, subscript=False)).height()
 
 
-def draw_text(
-    painter: QPainter,
+def lettered(
     runs: Runs,
-    anchor: tuple[float, float],
+    anchor: Place,
     alignment: Alignment,
     colour: Rgb,
     *,
@@ -87,25 +79,43 @@ def draw_text(
     halo: Rgb | None = None,
     opacity: float = 1.0,
     upright: bool = False,
-) -> None:
-    """Draw a text with its anchor at a point in logical pixels; ``upright`` runs from below to above."""
-    width, height = text_size(runs, pixels)
-    if upright:
+) -> Text:
+    """Return a text with its anchor at a point; ``upright`` runs from below to above."""
+    return Text(Lettering(runs, colour, pixels, halo, upright), anchor, alignment, opacity)
+
+
+def _corner(mark: Text) -> Place:
+    """Return the upper left corner of a text's box."""
+    width, height = text_size(mark.lettering.runs, mark.lettering.pixels)
+    if mark.lettering.upright:
         width, height = height, width
-    x, y = anchor[0] - alignment[0] * width, anchor[1] - alignment[1] * height
-    if isinstance(painter.device(), QImage):
-        painter.setOpacity(opacity)
-        ratio = painter.device().devicePixelRatioF()
-        image = _sprite(_Lettering(runs, colour, pixels, halo, upright), ratio)
-        # A sprite between two pixels would be blurred.
-        x, y = (round((value - _PAD) * ratio) / ratio for value in (x, y))
-        painter.drawImage(QPointF(x, y), image)
+    return mark.anchor[0] - mark.alignment[0] * width, mark.anchor[1] - mark.alignment[1] * height
+
+
+def text_corner(mark: Text, ratio: float) -> tuple[int, int]:
+    """Return the device's pixel at the upper left of a text's image: between two pixels it would be blurred."""
+    x, y = _corner(mark)
+    return round((x - _PAD) * ratio), round((y - _PAD) * ratio)
+
+
+def paint_text(painter: QPainter, mark: Text) -> None:
+    """Paint a text: on pixels by its image, else as text."""
+    device, lettering = painter.device(), mark.lettering
+    if isinstance(device, QImage):
+        ratio = device.devicePixelRatioF()
+        x, y = text_corner(mark, ratio)
+        painter.setOpacity(mark.opacity)
+        painter.drawImage(QPointF(x / ratio, y / ratio), text_image(lettering, ratio))
         painter.setOpacity(1.0)
-    else:
-        placed = QTransform.fromTranslate(x, y + height).rotate(-90) if upright else QTransform.fromTranslate(x, y)
-        with dimmed(painter, opacity):
-            painter.setTransform(placed, combine=True)
-            _draw_pieces(painter, _pieces(runs, pixels, QPointF(0, 0)), colour, halo)
+        return
+    placed = QTransform.fromTranslate(*_corner(mark))
+    if lettering.upright:
+        placed = placed.translate(0, text_size(lettering.runs, lettering.pixels)[0]).rotate(-90)
+    with dimmed(painter, mark.opacity):
+        painter.setTransform(placed, combine=True)
+        _draw_pieces(
+            painter, _pieces(lettering.runs, lettering.pixels, QPointF(0, 0)), lettering.colour, lettering.halo
+        )
 
 
 def _pieces(runs: Runs, pixels: int, corner: QPointF) -> list[tuple[QPointF, QFont, str]]:
@@ -148,23 +158,13 @@ def _draw_pieces(painter: QPainter, pieces: list[tuple[QPointF, QFont, str]], co
         painter.drawText(point, piece)
 
 
-@dataclass(frozen=True)
-class _Lettering:
-    """A text with everything that decides its pixels, but for the device's ratio."""
-
-    runs: Runs
-    colour: Rgb
-    pixels: int
-    halo: Rgb | None
-    upright: bool
-
-
 @lru_cache(maxsize=1024)
-def _sprite(text: _Lettering, ratio: float) -> QImage:
-    width, height = text_size(text.runs, text.pixels)
+def text_image(lettering: Lettering, ratio: float) -> QImage:
+    """Return the image of a text, with some room around it, at a device pixel ratio."""
+    width, height = text_size(lettering.runs, lettering.pixels)
     image = blank_image((width + 2 * _PAD + 1, height + 2 * _PAD + 1), ratio)
-    pieces = _pieces(text.runs, text.pixels, QPointF(_PAD, _PAD))
+    pieces = _pieces(lettering.runs, lettering.pixels, QPointF(_PAD, _PAD))
     with painting(image) as painter:
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        _draw_pieces(painter, pieces, text.colour, text.halo)
-    return image.transformed(QTransform().rotate(-90)) if text.upright else image
+        _draw_pieces(painter, pieces, lettering.colour, lettering.halo)
+    return image.transformed(QTransform().rotate(-90)) if lettering.upright else image

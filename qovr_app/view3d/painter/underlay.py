@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import lru_cache
 from pathlib import Path
 
@@ -12,27 +13,34 @@ from PySide6.QtGui import QImage, QImageReader, QPainter, QPolygonF, QTransform
 from qovr_app.state.display import Underlay
 from qovr_app.style.canvas import dimmed
 from qovr_app.view3d.scene.camera import Size
+from qovr_app.view3d.scene.marks import Mark, Photo
 from qovr_app.view3d.scene.picture import Picture
 
 _LARGEST_SIDE = 4096
 """Pixels: larger pictures are read smaller, more than any window shows of them."""
 
 
-def draw_underlay(painter: QPainter, picture: Picture, size: Size) -> None:
-    """Draw the reference picture, if there is one and all its corners lie before the eye."""
-    underlay = picture.settings.underlay
-    image = None if underlay is None else underlay_image(underlay.path)
-    if underlay is None or image is None:
+def underlay(picture: Picture, size: Size) -> Iterator[Mark]:
+    """Yield the reference picture, if there is one and all its corners lie before the eye."""
+    chosen = picture.settings.underlay
+    if chosen is None or underlay_image(chosen.path) is None:
         return
-    seen = picture.camera.project(_corners(picture, underlay), size)[:, :2]
-    if not np.isfinite(seen).all():
+    seen = picture.camera.project(_corners(picture, chosen), size)[:, :2]
+    if np.isfinite(seen).all():
+        yield Photo(chosen.path, seen, chosen.opacity)
+
+
+def paint_photo(painter: QPainter, photo: Photo) -> None:
+    """Paint a picture onto its corners; nothing where it is seen edge on."""
+    image = underlay_image(photo.path)
+    if image is None:
         return
     corners, onto = QPolygonF(QRectF(image.rect())), QTransform()
     corners.removeLast()  # of a rectangle, a polygon repeats the first one
-    target = QPolygonF([QPointF(x, y) for x, y in seen.tolist()])
+    target = QPolygonF([QPointF(x, y) for x, y in photo.corners.tolist()])
     if not QTransform.quadToQuad(corners, target, onto):
-        return  # seen edge on
-    with dimmed(painter, underlay.opacity):
+        return
+    with dimmed(painter, photo.opacity):
         painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
         painter.setTransform(onto, combine=True)
         painter.drawImage(QPointF(0, 0), image)

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QApplication
 
 from qovr_app.state.display import DisplaySettings, LayerChoice
 from qovr_app.style.canvas import blank_image, painting
-from qovr_app.view3d.painter.overlay import draw_overlay
+from qovr_app.view3d.painter.overlay import overlay
+from qovr_app.view3d.painter.paint import paint
 from qovr_app.view3d.scene.net_marks import with_room
 from qovr_app.view3d.scene.occlusion import Occluder, hidden_among
 from support.made_up import MadeUp, net_on_surface
@@ -156,7 +157,7 @@ def test_what_a_frame_of_many_points_takes(make_view, document, view, capsys):
             start = time.thread_time()
             image = blank_image(size, 1.0, image)
             with painting(image) as painter:
-                draw_overlay(painter, picture, size)
+                paint(painter, overlay(picture, size))
             spent.append(time.thread_time() - start)
         seconds[name] = sorted(spent)[len(spent) // 2]
     with capsys.disabled():

@@ -15,14 +15,16 @@ from qovr_app.state.tools import ToolSettings, Way
 from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.tick_labels import tick_labels
 from qovr_app.style.ticks import round_limits, tick_positions
-from qovr_app.view3d.painter import axis_texts
 from qovr_app.view3d.painter import surface as painter_surface
-from qovr_app.view3d.painter.backdrop import draw_backdrop
-from qovr_app.view3d.painter.overlay import draw_overlay
+from qovr_app.view3d.painter.backdrop import backdrop
+from qovr_app.view3d.painter.overlay import overlay
+from qovr_app.view3d.painter.paint import paint
+from qovr_app.view3d.painter.text import text_size
 from qovr_app.view3d.scene.axes import axes_box
 from qovr_app.view3d.scene.camera import Camera, fitted
 from qovr_app.view3d.scene.colouring import FAR_NOTE
 from qovr_app.view3d.scene.frame import FARTHEST
+from qovr_app.view3d.scene.marks import Text
 from qovr_app.view3d.scene.mesh import surface_vertices
 from qovr_app.view3d.scene.patterns import colour_sources
 from qovr_app.view3d.scene.picture import Picture, margins
@@ -62,9 +64,9 @@ def pictures_of(document, layers=tuple(Layer), scalings=tuple(Scaling)):
 def painted(picture):
     image = blank_image(SIZE, 1.0)
     with painting(image) as painter:
-        draw_backdrop(painter, picture, SIZE)
+        paint(painter, backdrop(picture, SIZE))
         painter_surface.paint_surface(painter, picture, SIZE)
-        draw_overlay(painter, picture, SIZE)
+        paint(painter, overlay(picture, SIZE))
     return image
 
 
@@ -140,20 +142,15 @@ def test_the_axes_of_a_site_have_different_numbers_and_an_offset():
 
 @pytest.mark.parametrize("name", ["a site in national coordinates", "large", "minute", "far in every direction"])
 @pytest.mark.parametrize("size", [SIZE, (350.0, 400.0)])
-def test_texts_of_axes_cover_no_other_and_are_not_cut_off(app, monkeypatch, name, size):
-    written = []
-
-    def write(painter, runs, anchor, alignment, colour, **style):
-        width, height = axis_texts.text_size(runs, style.get("pixels", axis_texts.SMALL))
-        written.append(QRectF(*anchor, width, height).adjusted(0, 4, 0, -4))
-
-    monkeypatch.setattr(axis_texts, "draw_text", write)
+def test_texts_of_axes_cover_no_other_and_are_not_cut_off(app, name, size):
     for picture in pictures_of(Document(NETS[name], formulation="interpolating")):
         room = margins(picture.settings, size)
         fits = replace(picture, camera=fitted(picture.camera, picture.scene.frame.half_extents, size, room))
-        written.clear()
-        with painting(blank_image(size, 1.0)) as painter:
-            draw_backdrop(painter, fits, size)
+        texts = [mark for mark in backdrop(fits, size) if isinstance(mark, Text)]
+        written = [
+            QRectF(*text.anchor, *text_size(text.lettering.runs, text.lettering.pixels)).adjusted(0, 4, 0, -4)
+            for text in texts
+        ]
         assert len(written) > 6
         assert all(QRectF(0, 0, *size).contains(text) for text in written)
         assert not any(a.intersects(b) for a, b in itertools.combinations(written, 2))

@@ -236,8 +236,8 @@ def test_an_error_of_the_program_while_drawing_is_said_as_that_and_the_next_stat
     used, reasons = owner.view.uses_opengl, list(owner.reasons)
     part, name = {
         "upload": (surface_buffers, "surface_vertices"),
-        "overlay": (gl_viewport, "draw_overlay"),
-        "painter": (painter_viewport, "draw_overlay"),
+        "overlay": (gl_viewport, "overlay"),
+        "painter": (painter_viewport, "overlay"),
     }[where]
     with monkeypatch.context() as patch:
         patch.setattr(part, name, fail)
@@ -265,7 +265,7 @@ def test_a_failure_in_two_viewports_is_one_message(make_view, document, spin, mo
     def fail(*args, **kwargs):
         raise DriverError("lost")
 
-    monkeypatch.setattr(api, "load_image", fail)
+    monkeypatch.setattr(api, "load_attributes", fail)
     select(owner.view, (1, 1))
     spin(lambda: bool(owner.reasons))
     spin(100)
@@ -303,7 +303,7 @@ def test_a_context_that_is_lost_is_replaced_by_another_one(make_view, document, 
 
     with monkeypatch.context() as patch:
         patch.setattr(gl_viewport.GlViewport, "context", lambda viewport: LostContext())
-        patch.setattr(api, "load_image", fail)
+        patch.setattr(api, "load_attributes", fail)
         select(owner.view, (1, 1))
         before.repaint()
     spin(lambda: owner.view.viewports[0] is not before)
