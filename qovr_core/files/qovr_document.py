@@ -233,11 +233,11 @@ def _parsed(text: str) -> object:
 
 
 def _without_repeats(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    entries = dict(pairs)
-    if len(entries) < len(pairs):
-        keys = [key for key, _ in pairs]
-        repeated = next(key for k, key in enumerate(keys) if key in keys[:k])
-        raise DocumentError(quoted(repeated), "given twice", "each key once")
+    entries: dict[str, Any] = {}
+    for key, value in pairs:
+        if key in entries:
+            raise DocumentError(quoted(key), "given twice", "each key once")
+        entries[key] = value
     return entries
 
 
