@@ -1,5 +1,6 @@
 """The editor's window as a user meets it: things are found by their names and moved by real events."""
 
+from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import QEvent, QPoint, Qt
@@ -19,6 +20,7 @@ from PySide6.QtWidgets import (
 
 from qovr_app.main import open_windows
 from qovr_app.state.intents import Saved, ZoneRead
+from qovr_app.window.sources import opened_source
 from qovr_core.edits import CoordinatePlace, Direction, KnotPlace, Zone, value_at
 
 ROW_FIELDS = [KnotPlace(Direction.ROWS, k, name) for k in range(5) for name in "rsut"]
@@ -63,6 +65,7 @@ class Editor:
     def __init__(self, window, size):
         self.window = window
         self.is_discarded = False
+        self._first = window.store.state
         window.resize(*size)
         window.show()
         window.activateWindow()
@@ -85,24 +88,26 @@ class Editor:
         state = self.window.store.state
         self.window.store.dispatch(Saved(Path(state.file.title), state.file.title, state.history.serial))
 
-    def begin_again(self):
-        """Have the state with which the window began; what the mouse and the keyboard hold is let go."""
-        from qovr_app.state.intents import LiveSwitched, Opened
-        from qovr_app.state.knot_intents import LinkSwitched
-        from qovr_app.state.looking_intents import ToolChosen
-        from qovr_app.state.tools import ToolSettings
-        from qovr_core.presets import preset
-
-        if (popup := QApplication.activePopupWidget()) is not None:
-            popup.close()
+    def begin_again(self, source=None, size=(1440, 900)):
+        """Have the window as if it had just been opened: its state, and what is kept outside of it."""
+        self.close_dialogs()
+        self.window.resize(*size)
         self.find("message").setFocus()
         (QApplication.focusWidget() or self.window).clearFocus()
         self.mark_saved()
-        self.dispatch(Opened(preset("fig5").document, "fig5"))
-        self.dispatch(LiveSwitched(is_live=True))
-        self.dispatch(LinkSwitched("curves", is_on=True))
-        for name, value in vars(ToolSettings()).items():
-            self.dispatch(ToolChosen(name, value))
+        store = self.window.store
+        store._state = replace(self._first, file=store.state.file)  # every choice as at first, however it was made
+        self.dispatch(opened_source(source or "paper:fig5"))
+        self.window.view.set_camera("paper", animated=False)
+        self.window.activateWindow()  # without a window manager it does not come back after a dialog
+        self.settle()
+
+    def close_dialogs(self):
+        """Close every dialog and popup."""
+        while (popup := QApplication.activePopupWidget()) is not None:
+            popup.close()
+        for dialog in self.window.findChildren(QDialog):
+            dialog.close()
 
     def on_evaluation(self, call):
         """Call with every surface that is shown from now on."""

@@ -5,6 +5,14 @@ import pytest
 from support.editor import Editor
 
 
+@pytest.fixture(autouse=True)
+def _one_sample_a_pixel(monkeypatch):
+    """Draw the view with no smooth edges, at half the time of a frame: how it looks is for the tests of view3d."""
+    from qovr_app.view3d.gl import buffer
+
+    monkeypatch.setattr(buffer, "_SAMPLES", 0)
+
+
 @pytest.fixture
 def home(tmp_path, monkeypatch):
     """A folder of the test's own for settings, recovery files and everything that is written."""
@@ -62,7 +70,17 @@ def one_window(app, tmp_path_factory):
 
 
 @pytest.fixture
-def shared_editor(one_window):
-    """The window of the module with the paper's own example in it, as if it had just been opened."""
-    one_window.begin_again()
-    return one_window
+def share_editor(one_window):
+    """A function that shows a source in the window of the module, as if it had just been opened."""
+
+    def share(source=None, size=(1440, 900)):
+        one_window.begin_again(source, size)
+        return one_window
+
+    return share
+
+
+@pytest.fixture
+def shared_editor(share_editor):
+    """The window of the module with the paper's own example in it."""
+    return share_editor()

@@ -15,6 +15,11 @@ from qovr_core.fields import FIELDS, Field
 from support.view import change
 
 
+@pytest.fixture
+def editor(shared_editor):
+    return shared_editor
+
+
 def colouring(editor):
     return editor.window.view.picture().colouring
 

@@ -41,8 +41,8 @@ _BETWEEN_MOVES = 20
 
 
 @pytest.fixture
-def panel(make_editor):
-    editor = make_editor("paper:fig6c")
+def panel(share_editor):
+    editor = share_editor("paper:fig6c")
     editor.trigger("laboratory_curve")
     panel = editor.find("laboratory.curve")
     panel.editor = editor

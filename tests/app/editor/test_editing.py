@@ -13,6 +13,11 @@ from support.editor import COLUMN_FIELDS, POINT_FIELDS, ROW_FIELDS, name_of
 FIG5 = preset("fig5").document
 
 
+@pytest.fixture
+def editor(shared_editor):
+    return shared_editor
+
+
 def test_it_opens_with_the_papers_example_configured(editor):
     assert editor.document == FIG5
     assert editor.disagreements() == []

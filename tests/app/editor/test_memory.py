@@ -15,7 +15,8 @@ PANELS = ("", "curve", "influence", "comparison", "section")
 
 @pytest.mark.parametrize("panel", PANELS)
 @pytest.mark.parametrize("shape", ["paper", "folded-saddle"])
-def test_scenes_and_surfaces_go_with_the_edit_that_replaces_them(editor, shape, panel):
+def test_scenes_and_surfaces_go_with_the_edit_that_replaces_them(make_editor, shape, panel):
+    editor = make_editor(size=(900, 600))  # little of the view, of which nothing is looked at
     editor.trigger(f"new_{shape}")
     editor.dispatch(PanelShown(panel))
     editor.dispatch(DisplayChosen("layer", LayerChoice.BOTH))
