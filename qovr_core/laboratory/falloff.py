@@ -123,6 +123,10 @@ def best_decay(distance: Array, values: Array, lengths: Array) -> tuple[int, flo
 def _envelope(distance: Array, magnitude: Array) -> Array:
     """Return distance and displacement of the sample that moves most in every bin, (k, 2), by growing distance."""
     bins = (distance / _BIN).astype(np.intp)
-    order = np.lexsort((magnitude, bins))
-    last_of_bin = order[np.flatnonzero(np.diff(bins[order], append=bins.max() + 1))]
-    return np.column_stack([distance[last_of_bin], magnitude[last_of_bin]])
+    most = np.zeros(bins.max() + 1)
+    np.maximum.at(most, bins, magnitude)
+    moves_most = np.flatnonzero(magnitude == most[bins])
+    of_bin = np.full(most.size, -1)
+    of_bin[bins[moves_most]] = moves_most  # of several the last
+    samples = of_bin[of_bin >= 0]
+    return np.column_stack([distance[samples], magnitude[samples]])

@@ -15,7 +15,7 @@ from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.knots import KnotPlace
 from qovr_core.geometry.patch import PATCH_DEGREE, Patch
 from qovr_core.laboratory.falloff import Falloff, falloff
-from qovr_core.laboratory.levels import area_above
+from qovr_core.laboratory.levels import areas_above
 from qovr_core.laboratory.still_lines import still_lines
 from qovr_core.layer import Layer
 
@@ -31,9 +31,14 @@ DEFAULT_PART = 0.1
 _SAME = 1e-9
 """Relative difference up to which displacements count as equally large."""
 
+_NOISE = 8 * float(np.finfo(np.float64).eps)
+"""The same between places so near each other that only rounding tells those of a ridge apart: the nearest is kept."""
+
 _ZOOM_SAMPLES = 9
 _ZOOM_ROUNDS = 10
 """Each round looks at a window a third as wide: ten take the step of the grid below 1e-6."""
+
+_FROM_CENTRE = read_only(np.add.outer(*[np.abs(np.arange(_ZOOM_SAMPLES) - _ZOOM_SAMPLES // 2)] * 2))
 
 
 @dataclass(frozen=True, slots=True)
@@ -151,7 +156,7 @@ def influence(document: Document, change: Change, layer: Layer) -> Influence:
         magnitude=magnitude,
         largest=largest,
         place=(u_peak, v_peak),
-        reaches=tuple(_reach(magnitude, fall, part, largest) for part in PARTS),
+        reaches=_reaches(magnitude, fall, largest),
         edges={edge: _largest_along(displacement.edge(edge)) for edge in Edge},
         corners=read_only(_lengths(displacement, np.array([0.0, 1.0]), np.array([0.0, 1.0]))),
         still_u=still_lines(displacement, 0, noise),
@@ -170,7 +175,8 @@ def _displacement(before: Document, after: Document, layer: Layer) -> tuple[Patc
 
 
 def _lengths(displacement: Patch, u: Array, v: Array) -> Array:
-    x, y, z = np.moveaxis(displacement.points(u, v), -1, 0)
+    axes = np.moveaxis(displacement.coefficients[0, 0], -1, 0)
+    x, y, z = bernstein.basis(PATCH_DEGREE, u) @ axes @ bernstein.basis(PATCH_DEGREE, v).T
     lengths: Array = np.hypot(np.hypot(x, y), z)  # knots near 0 can make lengths whose squares overflow
     return lengths
 
@@ -184,16 +190,18 @@ def _peak(displacement: Patch, samples: Array, magnitude: Array) -> tuple[float,
         window = np.linspace(-width, width, _ZOOM_SAMPLES)
         us, vs = np.clip(u + window, 0, 1), np.clip(v + window, 0, 1)
         lengths = _lengths(displacement, us, vs)
-        iu, iv = np.unravel_index(lengths.argmax(), lengths.shape)
+        is_largest = lengths >= (1 - _NOISE) * lengths.max()
+        iu, iv = np.unravel_index(np.where(is_largest, _FROM_CENTRE, np.inf).argmin(), lengths.shape)
         u, v, width = us[iu], vs[iv], width / 3
     return float(u), float(v), float(lengths.max())
 
 
-def _reach(magnitude: Array, fall: Falloff | None, part: float, largest: float) -> Reach:
+def _reaches(magnitude: Array, fall: Falloff | None, largest: float) -> tuple[Reach, ...]:
     if fall is None:
-        return Reach(part, 0.0, 0.0)
-    distance = fall.distance[magnitude > part * largest].max(initial=0.0)
-    return Reach(part, area_above(magnitude, part * largest), float(distance))
+        return tuple(Reach(part, 0.0, 0.0) for part in PARTS)
+    levels = [part * largest for part in PARTS]
+    distances = [float(fall.distance[magnitude > level].max(initial=0.0)) for level in levels]
+    return tuple(map(Reach, PARTS, areas_above(magnitude, levels), distances))
 
 
 def _largest_along(edge: Array) -> float:

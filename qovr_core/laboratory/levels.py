@@ -5,6 +5,7 @@ Both are contourpy's, whose filled regions are bounded by its lines, so that are
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from itertools import pairwise
 from math import fsum
 from typing import Any
@@ -14,14 +15,18 @@ import numpy as np
 from qovr_core.arrays import Array, read_only
 
 
-def area_above(values: Array, level: float) -> float:
-    """Return the share of the unit square on which a function exceeds a level.
+def areas_above(values: Array, levels: Iterable[float]) -> tuple[float, ...]:
+    """Return the shares of the unit square on which a function exceeds levels.
 
     Parameters
     ----------
     values : (n, m) on a regular grid over the unit square
     """
-    polygons, offsets = _contours(values).filled(level, np.inf)
+    contours = _contours(values)
+    return tuple(_area(*contours.filled(level, np.inf)) for level in levels)
+
+
+def _area(polygons: list[Array], offsets: list[Array]) -> float:
     parts = zip(polygons, offsets, strict=True)
     return sum(_enclosed(points[a:b]) for points, starts in parts for a, b in pairwise(starts.tolist()))
 

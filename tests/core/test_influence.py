@@ -16,7 +16,7 @@ from qovr_core.laboratory.influence import (
     default_amount,
     influence,
 )
-from qovr_core.laboratory.levels import area_above, level_line
+from qovr_core.laboratory.levels import areas_above, level_line
 from qovr_core.presets import preset
 from support.documents import documents, knots, random_document, random_net, seeds
 
@@ -227,13 +227,22 @@ def test_the_displacement_is_not_exponential(formulation, i, j):
     assert not exponential.fits
 
 
+@pytest.mark.parametrize("layer", Layer)
+def test_of_places_that_move_equally_the_first_is_told(layer):
+    ridge = set_formulation(preset("fig5").document, "published")  # along u, as long as the surface
+    assert influence(ridge, KnotMove(KnotPlace(Direction.COLUMNS, 1, "s"), 0.1), layer).place[0] == 0
+    symmetric = set_formulation(preset("fig5").document, "double-sum")
+    assert influence(symmetric, KnotMove(KnotPlace(Direction.ROWS, 2, "r"), 0.1), layer).place[1] == 0.5
+
+
 def test_shares_of_the_area():
     u = np.linspace(0, 1, 101)
     grid_u, grid_v = np.meshgrid(u, u, indexing="ij")
-    assert area_above(grid_u + grid_v, 1.0) == pytest.approx(0.5, abs=1e-12)
-    assert area_above(grid_u - 0.3 * grid_v, 0.4) == pytest.approx(0.45, abs=1e-12)
-    assert area_above(0.16 - (grid_u - 0.5) ** 2 - (grid_v - 0.5) ** 2, 0) == pytest.approx(np.pi * 0.16, abs=2e-4)
-    assert (area_above(grid_u, 2.0), area_above(grid_u, -1.0), area_above(0 * grid_u, 0.0)) == (0, 1, 0)
+    assert areas_above(grid_u + grid_v, [1.0]) == pytest.approx((0.5,), abs=1e-12)
+    assert areas_above(grid_u - 0.3 * grid_v, [0.4]) == pytest.approx((0.45,), abs=1e-12)
+    disc = 0.16 - (grid_u - 0.5) ** 2 - (grid_v - 0.5) ** 2
+    assert areas_above(disc, [0]) == pytest.approx((np.pi * 0.16,), abs=2e-4)
+    assert (*areas_above(grid_u, [2.0, -1.0]), *areas_above(0 * grid_u, [0.0])) == (0, 1, 0)
 
 
 @pytest.mark.parametrize("formulation", FORMULATIONS)
@@ -248,7 +257,7 @@ def test_area_and_line_of_a_level_agree(formulation):
         forward = np.where(on_left[:, None, None], lines, lines[:, ::-1])
         (u0, v0), (u1, v1) = forward[:, 0].T, forward[:, 1].T
         enclosed = ((u0 + u1) * (v1 - v0)).sum() / 2 + length_above(found.magnitude[-1], level)  # u = 0 adds nothing
-        assert enclosed == pytest.approx(area_above(found.magnitude, level), abs=1e-9)
+        assert enclosed == pytest.approx(areas_above(found.magnitude, [level])[0], abs=1e-9)
 
 
 def is_above_on_left(found, lines, level):
