@@ -10,7 +10,7 @@ from qovr_core.arrays import Array, Flags, Indices, read_only
 from qovr_core.geometry.descent import Feet, descend
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.patch import Patch
-from qovr_core.geometry.rounding import in_own_unit, largest
+from qovr_core.geometry.rounding import LARGEST_BESIDE, in_own_unit, largest
 
 _SEED_CELLS = 64
 """Cells each way between the samples from which the search starts: a polynomial of degree 6 turns many times less
@@ -56,11 +56,7 @@ class Closest:
 
 
 def closest_points(surface: ParametricSurface, points: Array) -> Closest:
-    """Return the points of a surface over its domain closest to given points.
-
-    Every foot is a local minimum of the distance, exact to rounding, inside or on the border. It is the global
-    minimum wherever the nearest of 65 x 65 samples, or 9 x 9 a window, tell which sheets of the surface are near;
-    folds narrower than the samples can hide a nearer point.
+    """Return the points of a surface over its domain closest to given points; see ``ClosestSearch``.
 
     Parameters
     ----------
@@ -71,34 +67,62 @@ def closest_points(surface: ParametricSurface, points: Array) -> Closest:
     ------
     ValueError : the points have another shape
     """
-    from scipy.spatial import cKDTree
+    return ClosestSearch(surface)(points)
 
-    targets = np.asarray(points, dtype=np.float64)
-    if targets.ndim != 2 or targets.shape[1] != 3:
-        raise ValueError(f"points have shape {targets.shape}; expected (k, 3)")
-    breakpoints = surface.breakpoints if isinstance(surface, Patch) else None
-    if isinstance(surface, Patch):  # windows alike, however their lengths differ
-        surface = Patch(surface.coefficients, surface.degree)
-    surface, unit = in_own_unit(surface, beside=largest(targets))
-    targets = targets / unit
-    seeds = _seed_grid(surface)
-    distance, nearest = cKDTree(seeds.points).query(targets, _NEIGHBOURS)
-    best = descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
-    candidates = _candidates(seeds, targets, distance, nearest, best)
-    while candidates.target.size:
-        rows, first = np.unique(candidates.target, return_index=True)
-        start = seeds.at[candidates.sample[first]]
-        other = descend(surface, start, targets[rows], seeds.last_step)
-        best.improve(rows, other)
-        place = np.searchsorted(rows, candidates.target)
-        at = seeds.at[candidates.sample]
-        is_new = _apart(at, start[place], seeds.cell) & _apart(at, other.at[place], seeds.cell)
-        candidates = candidates.of(is_new & (candidates.promise < best.distance[candidates.target]))
-    _look_around(surface, seeds, targets, best)
-    u, v = best.at.T.copy()
-    if breakpoints is not None:
-        u, v = (np.interp(at, np.arange(len(ends)), ends) for at, ends in zip((u, v), breakpoints, strict=True))
-    return Closest(*map(read_only, (u, v, best.feet * unit, best.distance * unit)))
+
+class ClosestSearch:
+    """The search for the points of a surface closest to others, for as many as one likes: its samples are taken once.
+
+    Every foot is a local minimum of the distance, exact to rounding, inside or on the border. It is the global
+    minimum wherever the nearest of 65 x 65 samples, or 9 x 9 a window, tell which sheets of the surface are near;
+    folds narrower than the samples can hide a nearer point.
+
+    Parameters
+    ----------
+    surface : any parametric surface; it may be flat, folded or drawn together into a line or a point
+    beside : a length whose square must not overflow either
+    """
+
+    def __init__(self, surface: ParametricSurface, beside: float = 0.0) -> None:
+        from scipy.spatial import cKDTree
+
+        self.surface = surface
+        self._breakpoints = surface.breakpoints if isinstance(surface, Patch) else None
+        if isinstance(surface, Patch):  # windows alike, however their lengths differ
+            surface = Patch(surface.coefficients, surface.degree)
+        self._in_unit, self._unit = in_own_unit(surface, beside=beside)
+        self._seeds = _seed_grid(self._in_unit)
+        self._tree = cKDTree(self._seeds.points)
+
+    def __call__(self, points: Array) -> Closest:
+        """Return the closest points to (k, 3) finite ones; raises ValueError where they have another shape."""
+        targets = np.asarray(points, dtype=np.float64)
+        if targets.ndim != 2 or targets.shape[1] != 3:
+            raise ValueError(f"points have shape {targets.shape}; expected (k, 3)")
+        if (far := largest(targets)) > LARGEST_BESIDE * self._unit:
+            return ClosestSearch(self.surface, beside=far)(targets)
+        best = self._feet(targets / self._unit)
+        u, v = best.at.T.copy()
+        if (ends := self._breakpoints) is not None:
+            u, v = (np.interp(at, np.arange(len(along)), along) for at, along in zip((u, v), ends, strict=True))
+        return Closest(*map(read_only, (u, v, best.feet * self._unit, best.distance * self._unit)))
+
+    def _feet(self, targets: Array) -> Feet:
+        surface, seeds = self._in_unit, self._seeds
+        distance, nearest = self._tree.query(targets, _NEIGHBOURS)
+        best = descend(surface, seeds.at[nearest[:, 0]], targets, seeds.last_step)
+        candidates = _candidates(seeds, targets, distance, nearest, best)
+        while candidates.target.size:
+            rows, first = np.unique(candidates.target, return_index=True)
+            start = seeds.at[candidates.sample[first]]
+            other = descend(surface, start, targets[rows], seeds.last_step)
+            best.improve(rows, other)
+            place = np.searchsorted(rows, candidates.target)
+            at = seeds.at[candidates.sample]
+            is_new = _apart(at, start[place], seeds.cell) & _apart(at, other.at[place], seeds.cell)
+            candidates = candidates.of(is_new & (candidates.promise < best.distance[candidates.target]))
+        _look_around(surface, seeds, targets, best)
+        return best
 
 
 @dataclass(frozen=True)

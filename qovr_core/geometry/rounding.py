@@ -24,7 +24,7 @@ _SIZED_AT = np.linspace(0.0, 1.0, 9)
 _MOST_PLACES = 1000
 """Binary places of the largest unit; its inverse is a number too."""
 
-_LARGEST_BESIDE = 1e30
+LARGEST_BESIDE = 1e30
 """How much larger than the unit other lengths may be; products of four stay finite beside a surface of any tangents."""
 
 
@@ -55,6 +55,6 @@ def in_own_unit(surface: ParametricSurface, *, beside: float = 0.0) -> tuple[Par
     the surface, and the unit: a power of two, so that nothing is rounded
     """
     u, v = (low + (high - low) * _SIZED_AT for low, high in surface.domain)
-    size = max(largest(surface.points(u, v)), beside / _LARGEST_BESIDE)
+    size = max(largest(surface.points(u, v)), beside / LARGEST_BESIDE)
     unit = float(own_unit(size))
     return surface.transformed(np.diag([1 / unit, 1 / unit, 1 / unit, 1.0])), unit

@@ -13,7 +13,7 @@ from qovr_core.document import Document, NetIndex
 from qovr_core.edits import set_point
 from qovr_core.errors import DocumentError, EvaluationError
 from qovr_core.evaluation import Evaluation
-from qovr_core.geometry.closest import closest_points
+from qovr_core.geometry.closest import ClosestSearch
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.edges import Edge
 from qovr_core.geometry.rounding import in_own_unit
@@ -172,7 +172,7 @@ def compare(
     own_document, unit = document_in_own_unit(document)
     own = replace(of, document=own_document)
     measures: dict[str, Measures] = {}
-    reference = own.surface(REFERENCE)
+    reference = ClosestSearch(own.surface(REFERENCE))
     for name in compared_names():
         measures[name] = _in_unit(measured(own, name, reference), unit)
         report(name, measures[name])
@@ -194,19 +194,20 @@ def _in_unit(own: Measures, unit: float) -> Measures:
     )
 
 
-def measured(of: ComparisonInput, name: str, reference: ParametricSurface) -> Measures:
-    """Measure one surface; ``reference`` is the QOVR surface."""
-    surface = of.surface(name)
+def measured(of: ComparisonInput, name: str, reference: ClosestSearch) -> Measures:
+    """Measure one surface; ``reference`` searches the QOVR surface."""
+    is_other = name != REFERENCE
+    search = ClosestSearch(of.surface(name)) if is_other else reference
+    surface = search.surface
     motion = motion_between(surface, of.surface(name, moved=True))
     inner = of.document.control_points[1:-1, 1:-1].reshape(-1, 3)
-    is_other = name != REFERENCE
     return Measures(
         **vars(motion),
-        distance_from_points=float(closest_points(surface, inner).distance.max()),
+        distance_from_points=float(search(inner).distance.max()),
         joints=joints(surface),
         bending_energy=bending_energy(in_own_unit(surface)[0]),
         distance_from_qovr=largest_distance(surface, reference) if is_other else 0.0,
-        distance_of_qovr=largest_distance(reference, surface) if is_other else 0.0,
+        distance_of_qovr=largest_distance(reference.surface, search) if is_other else 0.0,
     )
 
 

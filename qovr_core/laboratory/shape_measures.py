@@ -8,7 +8,7 @@ from itertools import pairwise
 import numpy as np
 
 from qovr_core.arrays import Array
-from qovr_core.geometry.closest import closest_points
+from qovr_core.geometry.closest import ClosestSearch
 from qovr_core.geometry.differential import ParametricSurface
 
 _DISTANCE_SAMPLES, _FINER_SAMPLES = 33, 9
@@ -40,8 +40,8 @@ class Joints:
     curvature: float
 
 
-def largest_distance(surface: ParametricSurface, other: ParametricSurface) -> float:
-    """Return the largest distance of a surface from another.
+def largest_distance(surface: ParametricSurface, other: ClosestSearch) -> float:
+    """Return the largest distance of a surface from another, which is searched.
 
     It is that of 33 x 33 of its points, border and corners included, and of a finer grid around the farthest.
     """
@@ -54,9 +54,9 @@ def largest_distance(surface: ParametricSurface, other: ParametricSurface) -> fl
     return float(_distances(surface, other, *finer).max())
 
 
-def _distances(surface: ParametricSurface, other: ParametricSurface, u: Array, v: Array) -> Array:
+def _distances(surface: ParametricSurface, other: ClosestSearch, u: Array, v: Array) -> Array:
     """Return the distance of a surface's points on a grid from another surface, (n, m)."""
-    distance = closest_points(other, surface.points(u, v).reshape(-1, 3)).distance
+    distance = other(surface.points(u, v).reshape(-1, 3)).distance
     return distance.reshape(len(u), len(v))
 
 

@@ -128,10 +128,10 @@ class TensorSurface:
     ) -> Array:
         if min(order_u, order_v) < 0:
             raise ValueError(f"derivative orders are {order_u} and {order_v}; expected 0 or more")
+        if self.weights is None:
+            return read_only(evaluate(self.net.transpose(1, 0, 2), self.basis_u(u, order_u), self.basis_v(v, order_v)))
         along_u = [self.basis_u(u, order) for order in range(order_u + 1)]
         along_v = [self.basis_v(v, order) for order in range(order_v + 1)]
-        if self.weights is None:
-            return read_only(evaluate(self.net.transpose(1, 0, 2), along_u[-1], along_v[-1]))
         weighted = np.concatenate([self.weights[..., None] * self.net, self.weights[..., None]], axis=2)
         coefficients = np.ascontiguousarray(weighted.transpose(1, 0, 2))
         lifted = [[evaluate(coefficients, a, b) for b in along_v] for a in along_u]

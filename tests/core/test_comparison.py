@@ -18,6 +18,7 @@ from qovr_core import (
     Layer,
 )
 from qovr_core.edits import set_points
+from qovr_core.geometry.closest import ClosestSearch
 from qovr_core.laboratory.comparison import ComparisonInput, compare, compared_names
 from qovr_core.laboratory.comparison_report import comparison_facts, comparison_text
 from qovr_core.laboratory.comparison_surfaces import COMPARISON_SURFACES, ComparisonSurface
@@ -211,7 +212,7 @@ def test_the_distances_of_flat_surfaces_are_those_of_their_corners():
 
 def test_the_distance_of_two_planes():
     above = bezier(FLAT + np.array([0, 0, 2.5]))
-    assert largest_distance(above, bezier(FLAT)) == pytest.approx(2.5, abs=1e-13)
+    assert largest_distance(above, ClosestSearch(bezier(FLAT))) == pytest.approx(2.5, abs=1e-13)
 
 
 def test_the_largest_distance_is_met_between_samples():
@@ -219,7 +220,7 @@ def test_the_largest_distance_is_met_between_samples():
     bumpy[1, 1, 2], bumpy[2, 3, 2], bumpy[3, 1, 2] = 1.0, 0.7, -0.4
     fine = np.linspace(0, 1, 1201)
     highest = np.abs(bezier(bumpy).points(fine, fine)[..., 2]).max()  # over the plane z = 0, which reaches as far
-    assert largest_distance(bezier(bumpy), bezier(FLAT)) == pytest.approx(highest, rel=1e-4)
+    assert largest_distance(bezier(bumpy), ClosestSearch(bezier(FLAT))) == pytest.approx(highest, rel=1e-4)
 
 
 def test_which_surfaces_run_through_the_inner_points():
