@@ -60,13 +60,18 @@ def can_be_smooth(knots: KnotTable, is_closed: bool) -> Flags:
     All curves share one tau, which is t before the joint and r after it, and they share u in either window: to the
     last bit, so that a file can be checked.
     """
+    if not (count := joint_count(knots.windows, is_closed)):
+        return _NO_JOINTS
     array = knots.array
     after = np.roll(array, -1, axis=1)
     tau = array[:1, :, _T]
     shares_tau = ((array[..., _T] == tau) & (after[..., _R] == tau)).all(axis=0)
     shares_u = (array[..., _U] == array[:1, :, _U]).all(axis=0)
     smooth: Flags = shares_tau & shares_u & np.roll(shares_u, -1)
-    return read_only(smooth[: joint_count(knots.windows, is_closed)])
+    return read_only(smooth[:count])
+
+
+_NO_JOINTS = read_only(np.zeros(0, dtype=np.bool_))
 
 
 def smooth_where_possible(rows: KnotTable, columns: KnotTable, closed: Sequence[str]) -> Joints:

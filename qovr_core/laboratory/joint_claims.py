@@ -14,7 +14,7 @@ from qovr_core.geometry.knots import KNOT_NAMES, Direction, Knots, KnotTable
 from qovr_core.joints import can_be_smooth
 from qovr_core.laboratory.jumps import Jump, Jumps, jumps
 from qovr_core.laboratory.measurement import Condition, Measurement
-from qovr_core.laboratory.neighbours import Continuation, continued, document_sides
+from qovr_core.laboratory.neighbours import Continuation, continued_sides, document_sides
 
 _POSITION, _TANGENT, _CURVATURE = 0, 1, 2
 
@@ -182,7 +182,7 @@ def _smooth_net(document: Document) -> Document | None:
 def _has_no_jump(document: Document) -> bool:
     if not document.is_one_window:
         return joint_jumps(document).are_rounding
-    return jumps([neighbours.sides() for neighbours in continued(document, Continuation.REFLECTED)]).are_rounding
+    return jumps(continued_sides(document, Continuation.REFLECTED)).are_rounding
 
 
 def _affine_net(net: Array) -> Array:

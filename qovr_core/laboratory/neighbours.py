@@ -67,14 +67,19 @@ class Neighbours:
     first: Document
     second: Document
 
-    def sides(self) -> Sides:
+    def sides(self, of_first: _Surface | None = None) -> Sides:
         """Return what meets at their joint.
+
+        Parameters
+        ----------
+        of_first : the first's surface, where it is known
 
         Raises
         ------
         EvaluationError : a neighbour has no finite surface
         """
-        (before, own), (after, others) = (_crossing(*_surface(each), self.across) for each in (self.first, self.second))
+        surfaces = of_first or _surface(self.first), _surface(self.second)
+        (before, own), (after, others) = (_crossing(*surface, self.across) for surface in surfaces)
         return Sides(self.across, 2, before, after, own + others, np.ones((1, 2)))
 
 
@@ -87,7 +92,7 @@ def document_sides(document: Document) -> tuple[Sides, ...]:
     EvaluationError : there is no finite surface
     """
     if document.is_one_window:
-        return tuple(neighbours.sides() for neighbours in continued(document, Continuation.DRAWN))
+        return continued_sides(document, Continuation.DRAWN)
     patch, rounding = _surface(document)
     sides = []
     for direction in Direction:
@@ -101,7 +106,22 @@ def document_sides(document: Document) -> tuple[Sides, ...]:
     return tuple(sides)
 
 
-def _surface(document: Document) -> tuple[Patch, Array]:
+def continued_sides(document: Document, continuation: Continuation) -> tuple[Sides, ...]:
+    """Return what meets at the joints of a document of one window with its neighbours.
+
+    Raises
+    ------
+    DocumentError : the net is so large that its continuation would be no document
+    EvaluationError : there is no finite surface
+    """
+    own = _surface(document)
+    return tuple(neighbours.sides(own) for neighbours in continued(document, continuation))
+
+
+_Surface = tuple[Patch, Array]
+
+
+def _surface(document: Document) -> _Surface:
     """Return a document's surface, and what is rounding in each of its windows, (m, n, 3)."""
     return build_patch(document), window_rounding(document)
 
