@@ -47,9 +47,10 @@ def main():
     before, rest = readme.read_text(encoding="utf-8").split(BEGIN)
     _, after = rest.split(END)
     lines = table.markdown([found[key] for key in KEYS if key in found])
-    readme.write_text(before + BEGIN + "\n".join(lines) + "\n" + END + after, encoding="utf-8")
     if (ROOT / "build/cost.png").exists():
         shutil.copy(ROOT / "build/cost.png", ROOT / ".github/cost.png")
+        lines += ["", "![Four panels, both axes logarithmic, a slope beside each line](.github/cost.png)"]
+    readme.write_text(before + BEGIN + "\n".join(lines) + "\n" + END + after, encoding="utf-8")
     print("not measured:", ", ".join(key for key in KEYS if key not in found) or "none")
 
 
