@@ -60,7 +60,8 @@ class Stock:
         look = look or {"shader": "heightColor", "computeNormals": False}
         self.item = gl.GLSurfacePlotItem(**axes, z=samples[..., 2], smooth=True, **look)
         self.view.addItem(self.item)
-        self.view.setCameraPosition(pos=pyqtgraph.Vector(samples.mean(axis=(0, 1))), distance=1.2 * float(axes["x"][-1]))
+        middle = pyqtgraph.Vector(samples.mean(axis=(0, 1)))
+        self.view.setCameraPosition(pos=middle, distance=1.2 * float(axes["x"][-1]))
         self.view.show()
 
     def edit(self, k):
