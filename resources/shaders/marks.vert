@@ -7,12 +7,16 @@ in vec4 a_inks;
 in vec4 a_more;
 
 flat out vec4 v_fill;
-#ifdef BOX
+#if defined(BOX) || defined(DOT)
 flat out vec4 v_rim;
 flat out vec4 v_box;
 flat out vec4 v_bends;
 #endif
+#ifdef DOT
+flat out float v_size;
+#else
 out vec4 v_at;
+#endif
 
 // Red, green and blue in one number, and an opacity, as a premultiplied colour.
 vec4 premultiplied(vec2 ink) {
@@ -35,12 +39,20 @@ void main() {
     int corner = number < 3 ? number : number == 3 ? 0 : number - 2;
     vec2 side = vec2(corner == 1 || corner == 2 ? 1.0 : 0.0, corner >= 2 ? 1.0 : 0.0);
     v_fill = premultiplied(a_inks.xy);
-#ifdef BOX
-    // About a middle, turned by an angle; of a rim half lies beyond the edge, and so does half a pixel.
+#if defined(BOX) || defined(DOT)
     v_rim = premultiplied(a_inks.zw);
     v_box = vec4(a_place.zw, a_shape.zw);
     v_bends = a_more;
-    v_at = vec4((2.0 * side - 1.0) * (a_place.zw + 0.5 * a_shape.w + 0.6), 0.0, 0.0);
+    // Of a rim half lies beyond the edge, and so does half a pixel.
+    vec2 reach = a_place.zw + 0.5 * a_shape.w + 0.6;
+#endif
+#ifdef DOT
+    v_size = 2.0 * reach.x;
+    gl_PointSize = v_size;
+    vec2 at = a_place.xy;
+#elif defined(BOX)
+    // About a middle, turned by an angle.
+    v_at = vec4((2.0 * side - 1.0) * reach, 0.0, 0.0);
     vec2 way = vec2(cos(a_shape.y), sin(a_shape.y));
     vec2 at = a_place.xy + v_at.x * way + v_at.y * vec2(-way.y, way.x);
 #elif defined(SPRITE)

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import numpy.typing as npt
+from PySide6.QtGui import QOpenGLContext
 
 from qovr_app.view3d.gl.calls import GL, delete_names, gl, made_names
 
@@ -192,14 +193,11 @@ def show_both_sides() -> None:
     gl("glDisable", GL.CULL_FACE)
 
 
-def let_points_have_sizes() -> None:
-    """Let the vertex shader say how large a point is; under OpenGL ES it always does, and this is an error."""
-    gl("glEnable", GL.PROGRAM_POINT_SIZE)
-
-
-def draw_points(count: int) -> None:
-    """Draw the first vertices as points."""
-    gl("glDrawArrays", GL.POINTS, 0, count)
+def draw_points(vertices: range) -> None:
+    """Draw vertices as points, of the sizes that the vertex shader says."""
+    if not QOpenGLContext.currentContext().isOpenGLES():  # which always does so, and has no such switch
+        gl("glEnable", GL.PROGRAM_POINT_SIZE)
+    gl("glDrawArrays", GL.POINTS, vertices.start, len(vertices))
 
 
 def draw_corners(vertices: range) -> None:

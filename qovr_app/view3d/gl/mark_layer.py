@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Hashable, Iterable
+from collections.abc import Hashable, Iterable, Iterator
 from dataclasses import dataclass
 from functools import partial
 from typing import Protocol
@@ -14,14 +14,16 @@ from PySide6.QtGui import QImage, QMatrix3x3, QPolygonF, QTransform
 from PySide6.QtOpenGL import QOpenGLShaderProgram
 
 from qovr_app.view3d.gl import api
-from qovr_app.view3d.gl.atlas import Atlas
-from qovr_app.view3d.gl.mark_rows import DEFINES, PHOTO, WIDTHS, Rows, shape_rows, sprite_rows
+from qovr_app.view3d.gl.atlas import Atlas, Patch, Pixel
+from qovr_app.view3d.gl.mark_rows import DEFINES, DOT, PHOTO, WIDTHS, Rows, shape_rows, sprite_rows
 from qovr_app.view3d.gl.program import link_program
 from qovr_app.view3d.scene.marks import Mark, Photo, Strip, Text
 
 _ATTRIBUTES = ("a_place", "a_shape", "a_inks", "a_more")
 _CORNERS = 6
-"""Vertices of a shape: two triangles."""
+"""Vertices of a shape that is not a dot: two triangles. The shader knows the corner by the vertex's number."""
+
+_NONE = np.empty((0, sum(WIDTHS)), dtype=np.float32)
 
 Sprite = Text | Strip
 
@@ -79,13 +81,16 @@ class MarkLayer:
         """Bring lists of marks to the driver, for a viewport of so many pixels, of which a logical one has some."""
         objects, marks = self._made(), [list(each) for each in lists]
         rows = _all_rows(marks, self._images, self._atlas, ratio)
-        self._lists, start = [], 0
+        vertices = [_NONE]
+        self._lists, count = [], 0
         for each in rows:
-            self._lists.append(_runs(each, start))
-            start += len(each)
+            self._lists.append([])
+            for kind, run in _runs(each):
+                vertices.append(_vertices(kind, run))
+                self._lists[-1].append((kind, range(count, count + len(vertices[-1]))))
+                count += len(vertices[-1])
         api.bind_vertex_array(objects.array)
-        vertices = np.repeat(np.concatenate(rows), _CORNERS, axis=0)
-        api.load_attributes(objects.buffer, vertices, WIDTHS, location=0, is_resized=True)
+        api.load_attributes(objects.buffer, np.concatenate(vertices), WIDTHS, location=0, is_resized=True)
         api.bind_vertex_array(0)
         for kind in {kind for runs in self._lists for kind, _ in runs}:
             program = objects.programs[kind]
@@ -100,10 +105,10 @@ class MarkLayer:
         api.draw_over(blended=True)
         api.show_both_sides()
         api.bind_vertex_array(objects.array)
-        for kind, shapes in self._lists[number]:
+        for kind, vertices in self._lists[number]:
             objects.programs[kind].bind()
             api.bind_textures([objects.photo if kind == PHOTO else self._atlas.texture])
-            api.draw_corners(range(_CORNERS * shapes.start, _CORNERS * shapes.stop))
+            (api.draw_points if kind == DOT else api.draw_corners)(vertices)
         api.bind_vertex_array(0)
 
     def _made(self) -> _Objects:
@@ -134,11 +139,18 @@ class MarkLayer:
         program.setUniformValue(program.uniformLocation("u_onto"), QMatrix3x3(_numbers(onto)))
 
 
-def _runs(rows: Rows, start: int) -> list[tuple[int, range]]:
-    """Return rows of one kind after another, as the kind and their numbers, which begin at one."""
+def _runs(rows: Rows) -> list[tuple[int, Rows]]:
+    """Return the rows of one kind after those of another, each with the kind."""
     kinds = rows[:, 4].astype(int)
     ends = [0, *(np.flatnonzero(np.diff(kinds)) + 1).tolist(), len(kinds)]
-    return [(int(kinds[a]), range(start + a, start + b)) for a, b in itertools.pairwise(ends) if b > a]
+    return [(int(kinds[a]), rows[a:b]) for a, b in itertools.pairwise(ends) if b > a]
+
+
+def _vertices(kind: int, rows: Rows) -> Rows:
+    """Return the vertices of rows of a kind, of which others begin at a whole number of shapes."""
+    if kind == DOT:
+        return np.pad(rows, ((0, -len(rows) % _CORNERS), (0, 0)))
+    return np.repeat(rows, _CORNERS, axis=0)
 
 
 def _numbers(onto: QTransform) -> list[float]:
@@ -152,30 +164,27 @@ def _numbers(onto: QTransform) -> list[float]:
 
 def _all_rows(lists: list[list[Mark]], images: Images, atlas: Atlas, ratio: float) -> list[Rows]:
     """Return the rows of each of several lists of marks."""
-    makers: dict[Hashable, Callable[[], QImage]] = {}
-    for mark in (mark for marks in lists for mark in marks):
+    sprites = [mark for marks in lists for mark in marks if isinstance(mark, Text | Strip)]
+    keys = [images.key(sprite, ratio) for sprite in sprites]
+    found = atlas.places({key: partial(images.image, each, ratio) for key, each in zip(keys, sprites, strict=True)})
+    drawn = iter(_of_sprites(sprites, [images.corner(each, ratio) for each in sprites], [found[key] for key in keys]))
+    return [np.concatenate([_NONE, *_in_order(marks, drawn, ratio)]) for marks in lists]
+
+
+def _in_order(marks: list[Mark], sprites: Iterator[Rows], ratio: float) -> Iterator[Rows]:
+    for mark in marks:
         if isinstance(mark, Text | Strip):
-            makers[images.key(mark, ratio)] = partial(images.image, mark, ratio)
-    places = atlas.places(makers)
-    found = []
-    for marks in lists:
-        rows, sprites = [np.empty((0, sum(WIDTHS)), dtype=np.float32)], list[tuple[float, ...]]()
-        for mark in marks:
-            if isinstance(mark, Text | Strip):
-                patch, (x, y) = places[images.key(mark, ratio)], images.corner(mark, ratio)
-                x, y = x + patch.inset[0], y + patch.inset[1]
-                opacity = mark.opacity if isinstance(mark, Text) else 1.0
-                sprites.append((x, y, x + patch.size[0], y + patch.size[1], *patch.corner, opacity))
-                continue
-            rows += _of_sprites(sprites)
-            sprites = []
-            rows += shape_rows(mark, ratio)
-        found.append(np.concatenate([*rows, *_of_sprites(sprites)]))
-    return found
+            yield next(sprites)
+        else:
+            yield from shape_rows(mark, ratio)
 
 
-def _of_sprites(sprites: list[tuple[float, ...]]) -> list[Rows]:
+def _of_sprites(sprites: list[Sprite], corners: list[Pixel], patches: list[Patch]) -> Iterator[Rows]:
+    """Yield the row of each sprite, whose image has its upper left pixel at a corner."""
     if not sprites:
-        return []
-    numbers = np.array(sprites)
-    return [sprite_rows(numbers[:, :4], numbers[:, 4:6], numbers[:, 6])]
+        return
+    begin = np.array(corners) + [patch.inset for patch in patches]
+    sizes = np.array([patch.size for patch in patches])
+    opacities = np.array([sprite.opacity if isinstance(sprite, Text) else 1.0 for sprite in sprites])
+    rows = sprite_rows(np.hstack([begin, begin + sizes]), np.array([patch.corner for patch in patches]), opacities)
+    yield from rows[:, None]

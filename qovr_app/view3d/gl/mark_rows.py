@@ -17,10 +17,10 @@ from qovr_core.arrays import Array
 WIDTHS = (4, 4, 4, 4)
 """Numbers of each vertex attribute."""
 
-BOX, POLYGON, SPRITE, PHOTO = range(4)
-"""Kinds of shapes."""
+BOX, DOT, POLYGON, SPRITE, PHOTO = range(5)
+"""Kinds of shapes; a dot is a disc among very many, of one vertex."""
 
-DEFINES = ("BOX", "POLYGON", "SPRITE", "PHOTO")
+DEFINES = ("BOX", "DOT", "POLYGON", "SPRITE", "PHOTO")
 """What the shaders call them."""
 
 Rows = npt.NDArray[np.float32]
@@ -128,8 +128,8 @@ def _dashes(ends: Array, width: float) -> Array:
 
 def _discs(discs: Discs, ratio: float) -> Rows:
     rows, radius, places = _rows(len(discs.places)), discs.radius * ratio, discs.places * ratio
-    rows[:, :2] = np.floor(places) + 0.5 if len(places) > MANY else places
-    rows[:, 2:4], rows[:, 4], rows[:, 6] = radius, BOX, radius
+    rows[:, 2:4], rows[:, 6] = radius, radius
+    rows[:, :2], rows[:, 4] = (np.floor(places) + 0.5, DOT) if len(places) > MANY else (places, BOX)
     pen, fill = discs.pen or Pen(_NOTHING, 0.0), discs.fill or _NOTHING
     rows[:, 7] = pen.width * ratio
     _paint(rows, *(Ink(ink.colour, ink.opacity * discs.opacity) for ink in (fill, pen.ink)))

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QOpenGLContext, QVector4D
+from PySide6.QtGui import QMatrix3x3, QMatrix4x4, QVector4D
 from PySide6.QtOpenGL import QOpenGLShaderProgram
 
 from qovr_app.state.display import Style
@@ -163,8 +163,6 @@ def _draw(style: Style, grid: Grid) -> None:
     else:
         api.draw_in_depth()
     if style is Style.POINTS:
-        if not QOpenGLContext.currentContext().isOpenGLES():
-            api.let_points_have_sizes()
-        api.draw_points(math.prod(grid.shape))
+        api.draw_points(range(math.prod(grid.shape)))
     else:
         api.draw_triangles(CORNERS * math.prod(grid.cells))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -56,7 +57,7 @@ class SeenNet:
     at: Array
     hidden: Flags
 
-    @property
+    @cached_property
     def gap(self) -> float:
         """Pixels between neighbours of the whole net, in the direction in which there are more."""
         return max(self.part.gaps(self.at))

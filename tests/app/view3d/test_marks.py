@@ -11,7 +11,8 @@ from qovr_app.style.canvas import blank_image, painting
 from qovr_app.view3d.painter.backdrop import backdrop
 from qovr_app.view3d.painter.overlay import overlay
 from qovr_app.view3d.painter.paint import paint
-from qovr_app.view3d.scene.marks import Discs, Lines, Photo, Polygon, Polyline, Rectangle, Strip, Text
+from qovr_app.view3d.scene.marks import MANY, Discs, Lines, Photo, Polygon, Polyline, Rectangle, Strip, Text
+from qovr_core import Document
 from support.view import change, select
 
 LINES = {"control_box": True, "surface_box": True, "row_curves": True, "column_curves": True, "combs_u": True}
@@ -32,6 +33,18 @@ def farther_than_a_pixel(one, other):
         windows = np.lib.stride_tricks.sliding_window_view(around, (3, 3), axis=(0, 1))
         away = np.maximum(away, np.abs(windows - b[..., None, None]).max(axis=2).min(axis=(2, 3)))
     return int((away > 64).sum())
+
+
+def assert_alike(view):
+    """Hold what a view without a surface shows against the same marks by the painter."""
+    picture, size, ratio = view.picture(), view.viewports[0].logical_size, view.devicePixelRatioF()
+    image = blank_image(size, ratio)
+    image.fill(QColor(*picture.theme.background))
+    with painting(image) as painter:
+        paint(painter, [*backdrop(picture, size), *overlay(picture, size)])
+    painted, seen = pixels_of(image), pixels_of(view.viewports[0].image())
+    assert (np.abs(painted - seen).max(axis=-1) > 32).mean() < 0.02
+    assert farther_than_a_pixel(painted, seen) <= 0.0003 * painted.shape[0] * painted.shape[1]
 
 
 @pytest.fixture
@@ -67,14 +80,17 @@ def test_opengl_draws_marks_where_the_painter_does(make_view, document, photo, t
     assert kinds >= {Discs, Lines, Photo, Polygon, Polyline, Rectangle, Text}
     change(view, settings=DisplaySettings(**{**vars(view.shown.settings), "surface": False}))
     make_view.settle(view)
-    picture, ratio = view.picture(), view.devicePixelRatioF()
-    image = blank_image(size, ratio)
-    image.fill(QColor(*picture.theme.background))
-    with painting(image) as painter:
-        paint(painter, [*backdrop(picture, size), *overlay(picture, size)])
-    painted, seen = pixels_of(image), pixels_of(view.viewports[0].image())
-    assert (np.abs(painted - seen).max(axis=-1) > 32).mean() < 0.02
-    assert farther_than_a_pixel(painted, seen) <= 0.0003 * painted.shape[0] * painted.shape[1]
+    assert_alike(view)
+
+
+def test_opengl_draws_very_many_points_where_the_painter_does(make_view):
+    x, y = np.meshgrid(np.arange(21.0), np.arange(21.0))
+    view = make_view(Document(np.stack([x, y, 0.01 * x * y], axis=-1)), surface=False, control_net=False).view
+    view.set_camera("top", animated=False)
+    make_view.settle(view)
+    points = [mark for mark in overlay(view.picture(), view.viewports[0].logical_size) if isinstance(mark, Discs)]
+    assert max(len(discs.places) for discs in points) > MANY
+    assert_alike(view)
 
 
 def test_letters_and_the_colour_bar_are_the_painters_to_the_pixel(make_view, document):
