@@ -28,11 +28,14 @@ coverage: setup
 	@mkdir -p build
 	@$(PY) -m pytest --numprocesses auto --dist worksteal --cov --cov-report term:skip-covered
 
-# The properties on examples of the day, then damaged files for as long as one likes: make fuzz SECONDS=36000.
+# The properties on examples of the day, random actions and kills in the editor, then damaged files for as long as one
+# likes: make fuzz SECONDS=36000.
 # What fails is kept in build/.
 SECONDS ?= 3600
 fuzz: setup
 	@$(PY) -m pytest -m hypothesis --hypothesis-profile exploring --numprocesses auto --dist worksteal
+	@QOVR_ACTIONS=20000 QOVR_KILLS=200 $(PY) -m pytest tests/app/editor/test_random_actions.py \
+		tests/app/editor/test_recovery.py --numprocesses auto --dist worksteal
 	@QOVR_FUZZ_SECONDS=$(SECONDS) QOVR_FUZZ_SEED=$$(date +%s) $(PY) -m pytest -s tests/core/test_fuzz.py
 
 # One table of ratios against their goals, in ten minutes on a quiet machine; what takes longer apart.

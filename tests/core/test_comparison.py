@@ -369,7 +369,7 @@ def test_weights_that_are_none(weight):
         compare(flat(), weight=weight)
 
 
-@pytest.mark.parametrize("u", [1e-16, 1e-50, 1e-100])
+@pytest.mark.parametrize("u", [1e-16, 1e-100])
 def test_a_surface_blown_up_by_its_knots_is_measured_without_a_warning(u):
     blown_up = replace(flat(), row_knots=(Knots(0.5, 0.5, u, 0.5),) * 5, column_knots=(Knots(0.5, u, 0.5, 0.5),) * 5)
     for formulation in FORMULATIONS.values():

@@ -13,7 +13,7 @@ import pytest
 from qovr_core.files import readable_suffixes
 from support import fuzzing
 
-SECONDS = float(os.environ.get("QOVR_FUZZ_SECONDS", "10"))
+SECONDS = float(os.environ.get("QOVR_FUZZ_SECONDS", "4"))
 SEED = int(os.environ.get("QOVR_FUZZ_SEED", "1"))
 
 

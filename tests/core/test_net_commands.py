@@ -70,11 +70,11 @@ def test_a_published_net_names_the_curves_without_effect(run, tmp_path):
 
 
 def test_a_window_is_compared_as_a_document_of_its_own(run):
-    window = extract_window(NET, (1, 2))
+    comparison = compare(extract_window(NET, (1, 2)))
     code, out, _ = run("compare", "net.qovr", "--window", "1,2")
-    assert (code, out) == (0, f"window 1,2 of a net of 2 x 3 windows\n{comparison_text(compare(window))}\n")
+    assert (code, out) == (0, f"window 1,2 of a net of 2 x 3 windows\n{comparison_text(comparison)}\n")
     facts = json.loads(run("compare", "net.qovr", "--window", "1,2", "--json")[1])
-    assert facts == {"window": [1, 2], **json.loads(json.dumps(comparison_facts(compare(window))))}
+    assert facts == {"window": [1, 2], **json.loads(json.dumps(comparison_facts(comparison)))}
     assert run("compare", "net.qovr")[1].startswith("window 0,0 of a net of 2 x 3 windows\n")
 
 

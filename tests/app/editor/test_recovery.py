@@ -25,7 +25,8 @@ from support.nets import random_net_document
 from support.working import children
 
 TESTS = Path(__file__).resolve().parents[2]
-KILLS = 8
+KILLS = int(os.environ.get("QOVR_KILLS", "4"))
+"""How many; `make fuzz` does more."""
 
 
 def start_victim(home, seed):
