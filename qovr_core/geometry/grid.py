@@ -1,9 +1,9 @@
 """Evaluation of a tensor-product polynomial, mostly on a grid of parameters: the one place where speed is won.
 
 A grid of n x m points is one product of an (n, degree + 1) basis with a (degree + 1, 3 m) table, which writes
-the points in their final order. Blocks of rows that fit a core's cache keep the product off the main memory; large
-grids are worth one thread a core. A polynomial in pieces has one such product a piece along u: each sample belongs to
-one piece, so that the cost grows with samples and with pieces, never with both at once.
+the points in their final order. Blocks of rows that fit a core's cache keep the product off the main memory. A
+polynomial in pieces has one such product a piece along u: each sample belongs to one piece, so that the cost grows with
+samples and with pieces, never with both at once.
 """
 
 from __future__ import annotations
@@ -13,10 +13,10 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from functools import cache
-from itertools import islice, pairwise
+from functools import cache, cached_property
+from itertools import pairwise
 from math import prod
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -27,16 +27,15 @@ BLOCK_BYTES = 288 * 1024
 """Result of one block: it stays in a core's cache, and OpenBLAS, which threads products beyond 2^18 multiplications
 of its own accord, leaves it alone. Its threads would spin on for a while and take the cores from whoever draws."""
 
-THREADED_BYTES = 4 * 1024 * 1024
-"""Results smaller than this are done in the caller's thread; larger ones are bound by memory."""
+THREADED_BYTES = 32 * 1024 * 1024
+"""New results of this size, which C libraries take from the system each time, are shared by one thread a core: what
+takes time is the system's clearing of their pages. Into pages that are there, one core writes as fast as several."""
 
 TABLE_BYTES = 1024 * 1024
 """Size of the curves in v of the pieces along u that are worked on together: little beside large results."""
 
 _Block = tuple[int, slice]
 """The number of a piece along u, and some of its rows."""
-
-_Partial = TypeVar("_Partial")
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,6 +57,17 @@ class PieceBasis:
     def parameters(self) -> Indices:
         """Which parameter each row is of, (k,)."""
         return np.arange(len(self.values)) if self.order is None else self.order
+
+    @cached_property
+    def alike(self) -> list[tuple[slice, slice, int]]:
+        """Runs of pieces that have equally many rows, which one product can serve: pieces, rows, rows of each."""
+        counts = np.diff(self.starts)
+        ends = [0, *(np.flatnonzero(np.diff(counts)) + 1).tolist(), len(counts)]
+        return [
+            (slice(start, stop), slice(self.starts[start], self.starts[stop]), int(counts[start]))
+            for start, stop in pairwise(ends)
+            if counts[start]
+        ]
 
 
 class _Scratch(threading.local):
@@ -88,9 +98,6 @@ class _Blocks:
     pieces: range
     rows: int
 
-    def __len__(self) -> int:
-        return sum(-(-(self.starts[k + 1] - self.starts[k]) // self.rows) for k in self.pieces)
-
     def __iter__(self) -> Iterator[_Block]:
         for piece in self.pieces:
             start, stop = self.starts[piece], self.starts[piece + 1]
@@ -98,24 +105,14 @@ class _Blocks:
                 yield piece, slice(k, min(k + self.rows, stop))
 
 
-def _alike(basis: PieceBasis) -> list[range]:
-    """Return the pieces in runs that have equally many rows, which one product can serve."""
-    counts = np.diff(basis.starts)
-    ends = [0, *(np.flatnonzero(np.diff(counts)) + 1).tolist(), len(counts)]
-    return [range(start, stop) for start, stop in pairwise(ends) if counts[start]]
-
-
 def _table(coefficients: Array, along_v: PieceBasis) -> Array:
     """Return (n, a, d M) for pieces (m, n, a, b, d): for every coefficient along u, the points of its curve in v."""
-    m, n, a, b, d = coefficients.shape
+    _, n, a, b, d = coefficients.shape
     table = _scratch.array("table", n, a, len(along_v.values), d)
-    across = coefficients.transpose(0, 3, 1, 2, 4).reshape(m, b, n * a * d)
-    for pieces in _alike(along_v):
-        rows = slice(along_v.starts[pieces.start], along_v.starts[pieces.stop])
-        bases = along_v.values[rows].reshape(len(pieces), -1, b)
-        values = _scratch.array("along v", *bases.shape[:2], n * a * d)
-        np.matmul(bases, across[pieces.start : pieces.stop], out=values)
-        table[:, :, rows] = values.reshape(-1, n, a, d).transpose(1, 2, 0, 3)
+    for pieces, rows, each in along_v.alike:
+        bases = along_v.values[rows].reshape(-1, 1, 1, each, b)
+        by_piece = table[:, :, rows].reshape(n, a, -1, each, d).transpose(2, 0, 1, 3, 4)
+        np.matmul(bases, coefficients[pieces], out=by_piece)
     return table.reshape(n, a, -1)
 
 
@@ -131,15 +128,28 @@ def _pool() -> ThreadPoolExecutor:
     return ThreadPoolExecutor(_threads(), thread_name_prefix="qovr-grid")
 
 
-def _over_blocks(blocks: _Blocks, size: int, work: Callable[[Iterator[_Block]], _Partial]) -> list[_Partial]:
-    """Run ``work`` on blocks, in as many threads as the size of their result, in bytes, is worth."""
-    if size < THREADED_BYTES:
-        return [work(iter(blocks))]
-    count = len(blocks)
-    workers = max(1, min(_threads(), count))  # none where pieces are so short that no parameter lies in them
-    first, *rest = (islice(blocks, count * k // workers, count * (k + 1) // workers) for k in range(workers))
-    others = [_pool().submit(work, part) for part in rest]
-    return [work(first), *(other.result() for other in others)]
+class _Left:
+    """The blocks that no thread has taken: where other programs have the cores, nobody waits for a thread's share."""
+
+    def __init__(self, blocks: _Blocks) -> None:
+        self._blocks, self._lock = iter(blocks), threading.Lock()
+
+    def __iter__(self) -> Iterator[_Block]:
+        return self
+
+    def __next__(self) -> _Block:
+        with self._lock:
+            return next(self._blocks)
+
+
+def _in_threads(blocks: _Blocks, work: Callable[[Iterator[_Block]], None]) -> None:
+    """Run ``work`` on blocks in one thread a core."""
+    left = _Left(blocks)
+    others = [_pool().submit(work, left) for _ in range(_threads() - 1)]
+    work(left)
+    for other in others:
+        if not other.cancel():
+            other.result()
 
 
 def _rows_in_block(row_bytes: int) -> int:
@@ -194,7 +204,7 @@ def evaluate_pieces(
         points[np.ix_(along_u.parameters, along_v.parameters)] = evaluate_pieces(coefficients, by_u, by_v)
         return points
     flat = points.reshape(rows, width) if points.flags.c_contiguous and points.dtype == np.float64 else None
-    row_bytes = coefficients.itemsize * width
+    row_bytes, is_threaded = coefficients.itemsize * width, out is None and points.nbytes >= THREADED_BYTES
     together = max(1, TABLE_BYTES // max(a * row_bytes, 1))
     for first in range(0, n, together):
         pieces = range(first, min(first + together, n))
@@ -209,7 +219,11 @@ def evaluate_pieces(
                     block = np.matmul(u, table[piece - first], out=_scratch.array("block", len(u), width))
                     points[some] = block.reshape(len(u), -1, d)
 
-        _over_blocks(_Blocks(along_u.starts, pieces, _rows_in_block(row_bytes)), rows * row_bytes, work)
+        blocks = _Blocks(along_u.starts, pieces, _rows_in_block(row_bytes))
+        if is_threaded:
+            _in_threads(blocks, work)
+        else:
+            work(iter(blocks))
         del table, work  # before the next one is made
     return points
 
@@ -222,18 +236,10 @@ def box(coefficients: Array, along_u: PieceBasis, along_v: PieceBasis) -> Array:
     """
     n, d, m = coefficients.shape[1], coefficients.shape[4], len(along_v.values)
     table = _table(coefficients, along_v)
-    row_bytes = table.itemsize * m * d
-
-    def work(blocks: Iterator[_Block]) -> tuple[Array, Array]:
-        low, high = np.full(m * d, np.inf), np.full(m * d, -np.inf)
-        for piece, rows in blocks:
-            u = along_u.values[rows]
-            block = np.matmul(u, table[piece], out=_scratch.array("block", len(u), m * d))
-            np.minimum(low, block.min(axis=0), out=low)
-            np.maximum(high, block.max(axis=0), out=high)
-        return low.reshape(m, d).min(axis=0), high.reshape(m, d).max(axis=0)
-
-    blocks_ = _Blocks(along_u.starts, range(n), _rows_in_block(row_bytes))
-    parts = _over_blocks(blocks_, len(along_u.values) * row_bytes, work)
-    low, high = (np.array(bounds) for bounds in zip(*parts, strict=True))
-    return np.stack([low.min(axis=0), high.max(axis=0)], axis=1)
+    low, high = np.full(m * d, np.inf), np.full(m * d, -np.inf)
+    for piece, rows in _Blocks(along_u.starts, range(n), _rows_in_block(table.itemsize * m * d)):
+        u = along_u.values[rows]
+        block = np.matmul(u, table[piece], out=_scratch.array("block", len(u), m * d))
+        np.minimum(low, block.min(axis=0), out=low)
+        np.maximum(high, block.max(axis=0), out=high)
+    return np.stack([low.reshape(m, d).min(axis=0), high.reshape(m, d).max(axis=0)], axis=1)

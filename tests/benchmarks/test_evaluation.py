@@ -71,6 +71,27 @@ def test_copy(measure, size):
     measure(f"raw/copy {size}", raw(size), copy(size))
 
 
+def given(size):
+    """Return calls that make raw samples in a given array, make them by one bare product in blocks, and copy them."""
+    source, patch, out = document(size), build_patch(document(size)), np.empty((size, size, 3))
+    basis, flat = np.ascontiguousarray(bernstein.basis(6, parameters(size))), out.reshape(size, -1)
+    table = np.einsum("jb,abd->ajd", basis, patch.coefficients[0, 0]).reshape(7, -1)
+    rows, samples = grid.BLOCK_BYTES // out[0].nbytes, np.zeros_like(out)
+
+    def bare():
+        for k in range(0, size, rows):
+            np.matmul(basis[k : k + rows], table, out=flat[k : k + rows])
+
+    return lambda: patch.samples(*source.intervals, out=out), bare, lambda: np.copyto(out, samples)
+
+
+@pytest.mark.parametrize("size", [1001, 2001])
+def test_given_array(measure, size):
+    ours, bare, copied = given(size)
+    measure(f"out/matmul {size}", ours, bare, rounds=30)
+    measure(f"out/copy {size}", ours, copied, rounds=30)
+
+
 @pytest.mark.parametrize("size", SIZES)
 def test_splipy(measure, size):
     measure(f"splipy {size}", raw(size), splipy(size), rounds=15 if size < 2001 else 5)
