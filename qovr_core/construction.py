@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -14,6 +15,7 @@ from qovr_core.errors import EvaluationError
 from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
 from qovr_core.geometry.patch import Patch
 from qovr_core.geometry.weights import weight_coefficients
+from qovr_core.geometry.window_bounds import window_bounds
 from qovr_core.geometry.windows import (
     NET_SIZE,
     STEP,
@@ -84,6 +86,22 @@ def window_rounding(document: Document, base: tuple[Document, Array] | None = No
         touched, rounding = np.nonzero(_touched(document, base[0])), base[1].copy()
         rounding[touched] = document.formulation.rounding(*(array[touched] for array in arrays))
         return read_only(rounding)
+
+
+def bounds_of_windows(document: Document, patch: Patch, base: tuple[Document, Array] | None = None) -> Array:
+    """Return ``window_bounds`` of a document's patch, (2, 6, m, n).
+
+    Parameters
+    ----------
+    base : another document and its windows' bounds; only windows that differ from it are computed
+    """
+    m, n = document.windows
+    if base is None or not _is_alike(document, base[0]):
+        return window_bounds(patch.coefficients.reshape(-1, *patch.coefficients.shape[2:])).reshape(2, -1, m, n)
+    touched, bounds = np.nonzero(_touched(document, base[0])), base[1].copy()
+    if len(touched[0]):
+        bounds[:, :, touched[0], touched[1]] = window_bounds(patch.coefficients[touched])
+    return read_only(bounds)
 
 
 def surface_rounding(document: Document) -> Array:
@@ -173,13 +191,19 @@ def _is_alike(document: Document, other: Document) -> bool:
 
 def _touched(document: Document, other: Document) -> Flags:
     """Return in which windows two documents differ, (m, n)."""
-    moved = (document.control_points != other.control_points).any(axis=-1, keepdims=True)
-    touched: Flags = np.asarray(net_windows(moved).any(axis=(2, 3, 4)))
+    x, y, z = (document.control_points != other.control_points).transpose(2, 0, 1)
+    touched = _any_in_windows(_any_in_windows(x | y | z).T).T
     for direction, windows_of in ((Direction.ROWS, row_windows), (Direction.COLUMNS, column_windows)):
         knots, others = knots_of(document, direction), knots_of(other, direction)
         if knots is not others:
             touched |= (windows_of(knots) != windows_of(others)).any(axis=(2, 3))
     return touched
+
+
+def _any_in_windows(flags: Flags) -> Flags:
+    """Return (m, ...) in which windows along the first axis (2 m + 3, ...) any flag is set: some views, and no copy."""
+    last = len(flags) - NET_SIZE
+    return functools.reduce(np.logical_or, (flags[k : k + last + 1 : STEP] for k in range(NET_SIZE)))
 
 
 def active_curves(document: Document, direction: Direction) -> list[int]:

@@ -9,7 +9,7 @@ from typing import Any, Final, TypeVar
 import numpy as np
 
 from qovr_core.arrays import Array, read_only
-from qovr_core.construction import CurveNetwork, build_patch, curve_network, window_rounding
+from qovr_core.construction import CurveNetwork, bounds_of_windows, build_patch, curve_network, window_rounding
 from qovr_core.document import Document
 from qovr_core.geometry.alignment import Alignment, align, bounding_box
 from qovr_core.geometry.locate import even
@@ -20,6 +20,7 @@ from qovr_core.layer import Layer
 _T = TypeVar("_T")
 
 _ROUNDING = "rounding of windows"
+_BOUNDS = "bounds of windows"
 
 
 def parameters(samples: int) -> Array:
@@ -57,7 +58,7 @@ class Evaluation:
     def __init__(self, document: Document, base: Evaluation | None = None) -> None:
         self.document: Final = document
         self.patch: Final[Patch] = build_patch(document, (base.document, base.patch) if base else None)
-        self._base = base._rounding_base if base else None
+        self._bases = _known_by_windows(base) if base else {}
         self._known: dict[str, Any] = {}
         self._lock = RLock()
 
@@ -79,7 +80,7 @@ class Evaluation:
     @property
     def raw_box(self) -> Array:
         """The box of the raw samples, (3, 2) with columns min and max; hardly any of them is computed for it."""
-        return self._once("raw_box", lambda: self.patch.sampled_box(*self.document.intervals))
+        return self._once("raw_box", lambda: self.patch.sampled_box(*self.document.intervals, self._window_bounds))
 
     @property
     def matrix(self) -> Array:
@@ -94,7 +95,7 @@ class Evaluation:
     @property
     def rounding(self) -> Array:
         """Up to what size a raw coordinate, or a difference of two, is no more than rounding, (3,) for x, y and z."""
-        windows = self._once(_ROUNDING, lambda: window_rounding(self.document, self._base))
+        windows = self._once(_ROUNDING, lambda: window_rounding(self.document, self._bases.get(_ROUNDING)))
         return self._once("rounding", lambda: read_only(windows.max(axis=(0, 1))))
 
     def layer_rounding(self, layer: Layer) -> Array:
@@ -146,11 +147,8 @@ class Evaluation:
     def _alignment(self) -> Alignment:
         return self._once("alignment", lambda: align(self.raw_box, self.control_box, self.rounding))
 
-    @property
-    def _rounding_base(self) -> tuple[Document, Array] | None:
-        """What the windows' rounding is known of, for the next evaluation; this one itself is not kept by it."""
-        known: Array | None = self._known.get(_ROUNDING)
-        return self._base if known is None else (self.document, known)
+    def _window_bounds(self) -> Array:
+        return self._once(_BOUNDS, lambda: bounds_of_windows(self.document, self.patch, self._bases.get(_BOUNDS)))
 
     def _once(self, name: str, compute: Callable[[], _T]) -> _T:
         """Return what is computed at most once, whichever thread asks first."""
@@ -159,6 +157,12 @@ class Evaluation:
                 self._known[name] = compute()
             value: _T = self._known[name]
             return value
+
+
+def _known_by_windows(evaluation: Evaluation) -> dict[str, tuple[Document, Array]]:
+    """Return what is known by windows, and of which document: all that the next evaluation keeps of this one."""
+    known = {name: evaluation._known[name] for name in (_ROUNDING, _BOUNDS) if name in evaluation._known}
+    return evaluation._bases | {name: (evaluation.document, array) for name, array in known.items()}
 
 
 def configure(document: Document) -> Evaluation:

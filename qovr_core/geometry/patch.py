@@ -138,14 +138,16 @@ class Patch:
         """
         return self._on_grid(locate.even(intervals_u), locate.even(intervals_v), 0, 0, out)
 
-    def sampled_box(self, intervals_u: Indices, intervals_v: Indices) -> Array:
-        """Return the box of ``samples``, few of which are computed; see ``sampled_box.sampled_box``.
+    def sampled_box(
+        self, intervals_u: Indices, intervals_v: Indices, bounds: Callable[[], Array] | None = None
+    ) -> Array:
+        """Return the box of ``samples``, few of which are computed; parameters as of ``sampled_box.sampled_box``.
 
         Returns
         -------
         (3, 2) float64, read-only, columns min and max
         """
-        return read_only(sampled_box.sampled_box(self.coefficients, intervals_u, intervals_v))
+        return read_only(sampled_box.sampled_box(self.coefficients, intervals_u, intervals_v, bounds))
 
     def derivative(
         self, u: Parameters, v: Parameters, order_u: int, order_v: int, out: Floats | None = None

@@ -37,7 +37,12 @@ class Cells:
 
 @lru_cache(maxsize=64)
 def cells_of(degree: int, intervals: int) -> Cells:
-    """Return the cells with which to begin along one direction."""
+    """Return the cells with which to begin along one direction.
+
+    Where the samples are fewer than the coefficients of cells would be, it is one, and its samples are computed.
+    """
+    if intervals < PARTS * (degree + 1):
+        return Cells(read_only(np.eye(degree + 1)[None]), read_only(np.zeros(1, dtype=np.intp)), intervals, 0)
     cuts = 0
     while -(-intervals // PARTS ** (cuts + 1)) > _LARGEST_LEAF:
         cuts += 1

@@ -9,6 +9,7 @@ nearly all of these at once.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,7 @@ import numpy as np
 from qovr_core.arrays import Array, Indices
 from qovr_core.geometry import bernstein, grid, locate, scattered
 from qovr_core.geometry.sample_cells import PARTS, Cells, cells_of, restrictions_to_parts
+from qovr_core.geometry.window_bounds import window_bounds
 
 _FULL_BELOW = 400 * 400
 """Samples of a grid; of fewer, all are computed in less time than the cells take."""
@@ -24,8 +26,12 @@ _SLACK = 4 * float(np.finfo(np.float64).eps)
 """A cell is dropped that exceeds a sample that is known by no more than this part of the largest coefficient: what
 the restriction to a cell rounds."""
 
-_CUT_AT_ONCE = 64
-"""Functions over whole windows that are cut into cells together, so that what they find may rule the others out."""
+_FIRST_AT_ONCE = 64
+"""Functions over whole windows that are searched together, the most promising first: what they find may rule the others
+out. Of those that it does not, four times as many are searched next."""
+
+_MOST_AT_ONCE = 1024
+"""The most of them; their cells take some ten megabytes."""
 
 _SAMPLED_AT_ONCE = 128
 """Cells whose samples are computed together, the most promising first: what they hold may rule the others out."""
@@ -49,14 +55,22 @@ class _Pieces:
 
 @dataclass(frozen=True, eq=False)
 class _Best:
-    """The largest sample found of each function, (f,), where, (f, 3), and what a larger one must exceed it by, (f,)."""
+    """The largest sample found of each function, (f,), where, (f, 3), and what a larger one must exceed it by, (f,).
+
+    ``last`` is the last sample of every window along u and v, (w, 2): on a joint that of the window which begins there.
+    """
 
     values: Array
     places: Indices
     slack: Array
+    last: Indices
 
     def offer(self, values: Array, owner: Indices, starts: Indices, steps: Indices) -> None:
         """Take larger ones: values (k, p, q) at ``starts`` (k, 3) + multiples of ``steps``, (2,) or (k, 2)."""
+        is_beyond = starts[:, 1:] + (np.array(values.shape[1:]) - 1) * steps > self.last[starts[:, 0]]
+        if is_beyond.any():
+            values = values.copy()
+            values[is_beyond[:, 0], -1] = values[is_beyond[:, 1], :, -1] = -np.inf
         largest, known = values.max(axis=(1, 2)), self.values.copy()
         np.maximum.at(self.values, owner, largest)
         for function in np.flatnonzero(self.values > known):
@@ -70,8 +84,10 @@ class _Best:
         return np.flatnonzero(bounds > (self.values + self.slack)[owner])
 
 
-def sampled_box(coefficients: Array, intervals_u: Indices, intervals_v: Indices) -> Array:
-    """Return the box of the evenly spaced samples of Bernstein patches, both ends of each included.
+def sampled_box(
+    coefficients: Array, intervals_u: Indices, intervals_v: Indices, bounds: Callable[[], Array] | None = None
+) -> Array:
+    """Return the box of the evenly spaced samples of Bernstein patches, the joints once.
 
     Every bound is the coordinate of a sample, within 8 eps of the axis's largest coefficient of the largest (smallest).
 
@@ -79,6 +95,7 @@ def sampled_box(coefficients: Array, intervals_u: Indices, intervals_v: Indices)
     ----------
     coefficients : (m, n, a, b, d), finite
     intervals_u, intervals_v : (n,) and (m,) intervals between the samples of each, 1 or more
+    bounds : gives the windows' ``window_bounds``, (2, 2 d, m, n), where these are known
 
     Returns
     -------
@@ -90,59 +107,60 @@ def sampled_box(coefficients: Array, intervals_u: Indices, intervals_v: Indices)
             locate.even(intervals).by_window(size - 1, 0) for intervals, size in ((intervals_u, a), (intervals_v, b))
         )
         return grid.box(coefficients, along_u, along_v)
-    best = _extremes(coefficients.reshape(-1, a, b, d), _sample_counts(intervals_u, intervals_v))
+    patches = coefficients.reshape(-1, a, b, d)
+    known = bounds().reshape(2, 2 * d, -1) if bounds else window_bounds(patches)
+    counts, last = _sample_counts(intervals_u, intervals_v)
+    best = _extremes(patches, counts, last, known)
     window, places = best.places[:, 0], best.places[:, 1:]
-    at = places / _sample_counts(intervals_u, intervals_v)[window]
+    at = places / counts[window]
     basis_u, basis_v = (bernstein.basis(size - 1, at[:, k]) for k, size in enumerate((a, b)))
     values = scattered.evaluate_pieces(coefficients, np.divmod(window, windows[1]), basis_u, basis_v)
     return np.diagonal(values.reshape(2, d, d), axis1=1, axis2=2).T.copy()
 
 
-def _sample_counts(intervals_u: Indices, intervals_v: Indices) -> Indices:
-    """Return the intervals of every window along u and v, (m n, 2)."""
-    along_v, along_u = np.meshgrid(intervals_v, intervals_u, indexing="ij")
-    return np.stack([along_u.ravel(), along_v.ravel()], axis=1)
+def _sample_counts(intervals_u: Indices, intervals_v: Indices) -> tuple[Indices, Indices]:
+    """Return the intervals of every window along u and v, (m n, 2), and the last sample that is its own, likewise."""
+    counts = np.empty((len(intervals_v), len(intervals_u), 2), dtype=np.intp)
+    counts[..., 0], counts[..., 1] = intervals_u, intervals_v[:, None]
+    last = counts - 1
+    last[:, -1, 0] += 1
+    last[-1, :, 1] += 1
+    return counts.reshape(-1, 2), last.reshape(-1, 2)
 
 
 @np.errstate(under="ignore")  # what underflows is nothing
-def _extremes(windows: Array, counts: Indices) -> _Best:
-    """Return the least sample of every axis, then the largest ones, of windows (w, a, b, d) with ``counts`` (w, 2)."""
-    w, a, b, d = windows.shape
-    low, high = (_folded(extreme, windows.reshape(w, -1), d) for extreme in (np.minimum, np.maximum))
-    bounds = np.concatenate([-low, high], axis=1).T.ravel()
-    corners = windows[:, :: a - 1, :: b - 1].reshape(w, 4, d)
-    corners = np.concatenate([-corners, corners], axis=2).transpose(2, 0, 1).reshape(-1, 2, 2)
-    largest = np.maximum(np.abs(low), np.abs(high)).max(axis=0)
-    best = _Best(np.full(2 * d, -np.inf), np.zeros((2 * d, 3), dtype=np.intp), _SLACK * np.tile(largest, 2))
-    owner, window = np.divmod(np.arange(2 * d * w), w)
-    starts = np.stack([window, 0 * window, 0 * window], axis=1)
-    best.offer(corners, owner, starts, counts[window])
-    rows = best.exceeded_by(bounds, owner)
-    rows = rows[np.argsort(best.values[owner[rows]] - bounds[rows], kind="stable")]
-    signs = np.where(owner[rows] < d, -1.0, 1.0)[:, None, None]
-    functions = signs * windows[window[rows], :, :, owner[rows] % d]
-    pieces, intervals = _Pieces(functions, owner[rows], starts[rows]), counts[window[rows]]
-    while len(rows):
-        is_alike = (intervals == intervals[0]).all(axis=1)
-        alike, others = np.flatnonzero(is_alike), np.flatnonzero(~is_alike)
-        _search(pieces.at(alike), bounds[rows[alike]], intervals[0].tolist(), best)
-        rows, pieces, intervals = rows[others], pieces.at(others), intervals[others]
+def _extremes(windows: Array, counts: Indices, last: Indices, bounds: Array) -> _Best:
+    """Return the least sample of every axis, then the largest ones, of windows (w, a, b, d) with ``counts`` (w, 2).
+
+    Of what was known before only the bounds are, which are the same however they came about; so is what is found.
+    """
+    limits, firsts = bounds
+    w, _, _, d = windows.shape
+    largest = np.abs(limits).max(axis=1).reshape(2, d).max(axis=0)
+    best = _Best(firsts.max(axis=1), np.zeros((2 * d, 3), dtype=np.intp), _SLACK * np.tile(largest, 2), last)
+    best.places[:, 0] = firsts.argmax(axis=1)
+    left, limits = np.flatnonzero(limits > (best.values + best.slack)[:, None]), limits.ravel()
+    together = _FIRST_AT_ONCE
+    while len(left):
+        promise = best.values[left // w] - limits[left]
+        order = np.argpartition(promise, together) if len(left) > together else np.arange(len(left))
+        chosen, left = left[order[:together]], left[order[together:]]
+        owner, window = np.divmod(chosen, w)
+        functions = windows[window, :, :, owner % d] * np.where(owner < d, -1.0, 1.0)[:, None, None]
+        starts = np.stack([window, 0 * window, 0 * window], axis=1)
+        _search_alike(_Pieces(functions, owner, starts), limits[chosen], counts[window], best)
+        left = left[best.exceeded_by(limits[left], left // w)]
+        together = min(4 * together, _MOST_AT_ONCE)
     return best
 
 
-def _folded(extreme: np.ufunc, rows: Array, d: int) -> Array:
-    """Return the extremes of rows of points (w, k d) by coordinate, (w, d).
-
-    Rows are folded in halves: NumPy's own reduction over an axis that is not the last takes ten times as long.
-    """
-    while rows.shape[1] > d:
-        points = rows.shape[1] // d
-        half = points // 2 * d
-        folded = extreme(rows[:, :half], rows[:, half : 2 * half])
-        if points % 2:
-            folded[:, :d] = extreme(folded[:, :d], rows[:, -d:])
-        rows = folded
-    return rows
+def _search_alike(pieces: _Pieces, bounds: Array, intervals: Indices, best: _Best) -> None:
+    """Look for larger samples in functions over whole windows, those with equal intervals (k, 2) together."""
+    while len(bounds):
+        is_alike = (intervals == intervals[0]).all(axis=1)
+        alike, others = np.flatnonzero(is_alike), np.flatnonzero(~is_alike)
+        _search(pieces.at(alike), bounds[alike], intervals[0].tolist(), best)
+        pieces, bounds, intervals = pieces.at(others), bounds[others], intervals[others]
 
 
 def _search(pieces: _Pieces, bounds: Array, intervals: list[int], best: _Best) -> None:
@@ -161,30 +179,21 @@ def _search(pieces: _Pieces, bounds: Array, intervals: list[int], best: _Best) -
 def _first_cells(whole: _Pieces, limits: Array, along: list[Cells], best: _Best) -> tuple[_Pieces, Array]:
     """Return functions over the first cells that can hold more than is known, and their bounds.
 
-    The functions come with their bounds over whole windows, the most promising first.
+    The functions come with their bounds over whole windows.
     """
-    found: list[tuple[_Pieces, Array]] = []
+    some = whole.at(best.exceeded_by(limits, whole.owner))
     in_u, in_v = (cells.restrictions for cells in along)
     steps = np.array([cells.leaf * PARTS**cells.cuts for cells in along])
     starts = np.stack(np.meshgrid(*(cells.starts for cells in along), indexing="ij"), axis=-1).reshape(-1, 1, 2)
-    for k in range(0, len(whole.owner), _CUT_AT_ONCE):
-        chunk = slice(k, k + _CUT_AT_ONCE)
-        still = k + best.exceeded_by(limits[chunk], whole.owner[chunk])
-        if k and not len(still):
-            continue
-        some = whole.at(still)
-        cells = in_u[:, None, None] @ some.coefficients @ in_v.transpose(0, 2, 1)[:, None]
-        at = np.repeat(some.starts[None], len(starts), axis=0)
-        at[..., 1:] += starts
-        owner = np.repeat(some.owner[None], len(starts), axis=0).ravel()
-        pieces = _Pieces(cells.reshape(-1, *some.coefficients.shape[1:]), owner, at.reshape(-1, 3))
-        best.offer(_corners(pieces.coefficients), owner, pieces.starts, steps)
-        bounds = pieces.coefficients.max(axis=(1, 2))
-        rows = best.exceeded_by(bounds, owner)
-        found.append((pieces.at(rows), bounds[rows]))
-    parts, bounds_found = zip(*found, strict=True)
-    joined = (np.concatenate([getattr(part, name) for part in parts]) for name in ("coefficients", "owner", "starts"))
-    return _Pieces(*joined), np.concatenate(bounds_found)
+    cells = in_u[:, None, None] @ some.coefficients @ in_v.transpose(0, 2, 1)[:, None]
+    at = np.repeat(some.starts[None], len(starts), axis=0)
+    at[..., 1:] += starts
+    owner = np.repeat(some.owner[None], len(starts), axis=0).ravel()
+    pieces = _Pieces(cells.reshape(-1, *some.coefficients.shape[1:]), owner, at.reshape(-1, 3))
+    best.offer(_corners(pieces.coefficients), owner, pieces.starts, steps)
+    bounds = pieces.coefficients.max(axis=(1, 2))
+    rows = best.exceeded_by(bounds, owner)
+    return pieces.at(rows), bounds[rows]
 
 
 def _corners(coefficients: Array) -> Array:

@@ -147,6 +147,15 @@ def test_box(measure, size):
     measure(f"box/all {size}", box(size), box_of_all(size), rounds=15 if size < 2001 else 3)
 
 
+@pytest.mark.parametrize("size", [*SIZES, LARGEST])
+def test_box_of_a_ridge(measure, size):
+    """Along the whole crest, the samples are nearly as high as the highest."""
+    y, x = np.mgrid[:5, :5] / 4
+    ridge = -((x + 0.7312 * y - 0.8123) ** 2)
+    patch = build_patch(Document(np.stack([x, ridge, y + ridge], axis=-1), formulation=Formulation.INTERPOLATING))
+    measure(f"box ridge {size}", lambda: patch.sampled_box(np.array([size - 1]), np.array([size - 1])))
+
+
 @pytest.mark.parametrize("size", [1001, LARGEST])
 def test_box_beside_the_screen(measure, size):
     measure(f"box/screen {size}", box(size), raw(SCREEN))

@@ -8,6 +8,7 @@ from splipy import BSplineBasis
 from splipy import Surface as SplipySurface
 
 from qovr_core import Document, Evaluation, Formulation, build_patch, edits
+from qovr_core.construction import bounds_of_windows
 from qovr_core.files.qovr_document import read_document, write_document
 from qovr_core.geometry.locate import spread
 from support.nets import random_net_document
@@ -38,6 +39,14 @@ def one_point_moved(side):
     return lambda: Evaluation(moved, before).matrix
 
 
+def box_after_one_point_moved(side):
+    """Return a call that finds the box of the samples by what is known of the windows before."""
+    document = net_document(side)
+    moved = edits.set_point(document, 2, 2, document.control_points[2, 2] + 0.1)
+    patch, known = build_patch(moved), (document, bounds_of_windows(document, build_patch(document)))
+    return lambda: patch.sampled_box(*moved.intervals, lambda: bounds_of_windows(moved, patch, known))
+
+
 def splipy(side):
     """Return a call that evaluates a bicubic B-spline of as many control points."""
     net = net_document(side).control_points
@@ -61,6 +70,11 @@ def test_samples(measure, side):
 @pytest.mark.parametrize("side", SIDES)
 def test_one_point_moved(measure, side):
     measure(f"moved {side**2}", one_point_moved(side), one_point_moved(1))
+
+
+@pytest.mark.parametrize("side", SIDES[1:])
+def test_box_after_one_point_moved(measure, side):
+    measure(f"box net {side**2}", box_after_one_point_moved(side))
 
 
 @pytest.mark.parametrize("side", SIDES)
