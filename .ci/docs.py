@@ -1,12 +1,12 @@
 """Make the reference of the library from its docstrings, and the help as a page, in ``build/docs``."""
 
-from importlib.resources import files
 from pathlib import Path
 from pkgutil import iter_modules
 
 import pdoc
 
 import qovr_core
+from qovr_core.resources import resource
 from qovr_core.version import VERSION
 
 FOLDER = Path("build/docs")
@@ -16,5 +16,5 @@ COMMANDS = {"qovr_core.cli", "qovr_core.commands"}
 modules = {found.name for found in iter_modules(qovr_core.__path__, "qovr_core.")} - COMMANDS
 pdoc.render.configure(docformat="numpy", math=True, footer_text=f"QOVR Studio {VERSION}")
 pdoc.pdoc("qovr_core", *sorted(modules), output_directory=FOLDER)
-text = files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8")
+text = resource("help", "help.html").read_text(encoding="utf-8")
 (FOLDER / "help.html").write_text(HELP.format(text), encoding="utf-8")

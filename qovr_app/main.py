@@ -9,7 +9,7 @@ import sys
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
-from typing import TYPE_CHECKING, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn
 
 if TYPE_CHECKING:
     from qovr_app.window.main_window import MainWindow
@@ -24,18 +24,21 @@ def main() -> None:
     What it needs is imported only here, when a signal no longer ends in a traceback.
     """
     _leave_on_signals()
-    from qovr_app.window.screenshot import add_screenshot_command
     from qovr_core import cli
+    from qovr_core.later import later
 
-    parser, commands = cli.build_parser()
-    add_screenshot_command(commands)
-    edit = commands.add_parser(_EDIT, help="open the editor; also without this word: qovr [SOURCE...]")
-    edit.add_argument("sources", metavar="SOURCE", nargs="*", help="each opens in a window; in the one that runs")
-    edit.set_defaults(command=_edit)
+    screenshot = later("qovr_app.window.screenshot", "add_command")
+    commands = {**cli.COMMANDS, "screenshot": screenshot, _EDIT: _add_edit}
     arguments = sys.argv[1:]
-    if not arguments or not (arguments[0].startswith("-") or arguments[0] in commands.choices):
+    if not arguments or not (arguments[0].startswith("-") or arguments[0] in commands):
         arguments = [_EDIT, *arguments]
-    sys.exit(cli.run(parser, arguments))
+    sys.exit(cli.run(commands, arguments))
+
+
+def _add_edit(commands: Any) -> None:
+    command = commands.add_parser(_EDIT, help="open the editor; also without this word: qovr [SOURCE...]")
+    command.add_argument("sources", metavar="SOURCE", nargs="*", help="each opens in a window; in the one that runs")
+    command.set_defaults(command=_edit)
 
 
 def _leave_on_signals() -> None:

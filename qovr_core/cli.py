@@ -5,24 +5,29 @@ from __future__ import annotations
 import argparse
 import logging
 import sys
-import traceback
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NoReturn
 
-from qovr_core.commands import compare, desktop, export, figures, info, presets, reproduce, verify
 from qovr_core.commands.common import DONE, SOURCE_HELP, WRONG
 from qovr_core.errors import QovrError, reason_of
 from qovr_core.files.atomic import LOGGER
+from qovr_core.later import later
 from qovr_core.streams import Interrupted, forsake, interruptible, mend_streams, say
 from qovr_core.version import VERSION
 
 SIGNALLED = 128
 """Exit codes after a signal are this and its number: 130 after Ctrl-C, 143 after SIGTERM."""
 
-_COMMANDS = (export, figures, reproduce, verify, compare, presets, info, desktop)
-"""In the order in which the help lists them."""
-
 Command = Callable[[argparse.Namespace], int]
+
+AddCommand = Callable[[Any], None]
+"""Called with the place of a parser for its commands, it adds one."""
+
+COMMANDS: Mapping[str, AddCommand] = {
+    name: later(f"qovr_core.commands.{name}", "add_command")
+    for name in ("export", "figures", "reproduce", "verify", "compare", "presets", "info", "desktop")
+}
+"""The headless commands by name, in the order in which the help lists them."""
 
 
 class _Parser(argparse.ArgumentParser):
@@ -40,11 +45,11 @@ class _Parser(argparse.ArgumentParser):
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one headless command and return its exit code."""
-    return run(build_parser()[0], argv)
+    return run(COMMANDS, sys.argv[1:] if argv is None else argv)
 
 
-def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
-    """Run one of a parser's commands and return its exit code.
+def run(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
+    """Run one of some commands and return its exit code; what only the others need is not imported.
 
     0 done, 1 the answer is no, 2 the call or its input is wrong, 130 and 143 after Ctrl-C and SIGTERM; errors are one
     line on stderr.
@@ -54,7 +59,7 @@ def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
     LOGGER.addHandler(notices)
     try:
         with interruptible():
-            return _exit_code(parser, argv)
+            return _exit_code(commands, argv)
     except Interrupted as interrupt:
         say("interrupted; no unfinished file is left")
         return SIGNALLED + interrupt.number
@@ -62,20 +67,19 @@ def run(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
         LOGGER.removeHandler(notices)
 
 
-def build_parser() -> tuple[argparse.ArgumentParser, Any]:
-    """Return the parser of all headless commands, and the place where others add theirs."""
+def _parser_of(commands: Mapping[str, AddCommand]) -> argparse.ArgumentParser:
     parser = _Parser(prog="qovr", description="Quartic Overhauser (QOVR) surfaces.", epilog=SOURCE_HELP)
     parser.add_argument("--version", action="version", version=f"QOVR Studio {VERSION}")
-    commands = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
-    for command in _COMMANDS:
-        command.add_command(commands)
-    return parser, commands
+    place = parser.add_subparsers(title="commands", metavar="COMMAND", required=True)
+    for add_command in commands.values():
+        add_command(place)
+    return parser
 
 
-def _exit_code(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
+def _exit_code(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
     """Run a command; whatever ends it is said in one line."""
     try:
-        code = _answer(parser, argv)
+        code = _answer(commands, argv)
         sys.stdout.flush()
     except BrokenPipeError:
         forsake(sys.stdout)  # the reader has gone, as in "qovr info ... | head": no error
@@ -89,6 +93,8 @@ def _exit_code(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> i
         what = "the answer cannot be written" if error.filename is None else f"{error.filename}: cannot be used"
         say(f"{what}: {reason_of(error)}")
     except Exception as error:
+        import traceback
+
         place = traceback.extract_tb(error.__traceback__)[-1]
         say(f"an error of the program: {type(error).__name__}: {reason_of(error)} ({place.name}, line {place.lineno})")
     else:
@@ -96,9 +102,10 @@ def _exit_code(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> i
     return WRONG
 
 
-def _answer(parser: argparse.ArgumentParser, argv: Sequence[str] | None) -> int:
+def _answer(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
+    called = {name: commands[name] for name in argv[:1] if name in commands}
     try:
-        arguments = parser.parse_args(argv)
+        arguments = _parser_of(called or commands).parse_args(argv)
         command: Command = arguments.command
         return command(arguments)
     except SystemExit as end:  # after --help and --version

@@ -5,7 +5,6 @@ from __future__ import annotations
 import tomllib
 from dataclasses import dataclass
 from functools import cache
-from importlib.resources import files
 from typing import Any
 
 import numpy as np
@@ -15,6 +14,7 @@ from qovr_core.document import Document
 from qovr_core.errors import SourceError
 from qovr_core.geometry.knots import Knots
 from qovr_core.geometry.windows import NET_SIZE
+from qovr_core.resources import resource
 
 
 @dataclass(frozen=True)
@@ -38,20 +38,13 @@ class FigureCase:
 
 @cache
 def _table() -> dict[str, Any]:
-    return tomllib.loads(files("qovr_resources").joinpath("presets.toml").read_text(encoding="utf-8"))
+    return tomllib.loads(resource("presets.toml").read_text(encoding="utf-8"))
 
 
 @cache
 def presets() -> dict[str, Preset]:
     """Return every preset by name, in the paper's order."""
-    table = _table()
-    x, y = np.meshgrid(np.arange(NET_SIZE), np.arange(NET_SIZE))
-    result = {}
-    for name, entry in table["presets"].items():
-        curves = (Knots(**entry["knots"]),) * NET_SIZE
-        net = np.stack([x, y, np.array(table["nets"][entry["net"]]["z"])], axis=-1)
-        result[name] = Preset(name, entry["title"], Document(net, curves, curves))
-    return result
+    return {name: preset(name) for name in _table()["presets"]}
 
 
 @cache
@@ -75,6 +68,7 @@ def network_case() -> Preset:
     return preset(_table()["network"]["preset"])
 
 
+@cache
 def preset(name: str) -> Preset:
     """Return a preset by name.
 
@@ -82,8 +76,12 @@ def preset(name: str) -> Preset:
     ------
     SourceError : there is no such preset
     """
-    try:
-        return presets()[name]
-    except KeyError:
-        known = ", ".join(presets())
-        raise SourceError(f"there is no preset '{name}'; expected one of {known}") from None
+    table = _table()
+    entry = table["presets"].get(name)
+    if entry is None:
+        known = ", ".join(table["presets"])
+        raise SourceError(f"there is no preset '{name}'; expected one of {known}")
+    x, y = np.meshgrid(np.arange(NET_SIZE), np.arange(NET_SIZE))
+    curves = (Knots(**entry["knots"]),) * NET_SIZE
+    net = np.stack([x, y, np.array(table["nets"][entry["net"]]["z"])], axis=-1)
+    return Preset(name, entry["title"], Document(net, curves, curves))

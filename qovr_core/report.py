@@ -11,7 +11,7 @@ from qovr_core.document import Document
 from qovr_core.edits import knots_of
 from qovr_core.evaluation import Evaluation
 from qovr_core.formulations import FORMULATIONS
-from qovr_core.geometry.combs import ISOLINES, comb_changes, isolines
+from qovr_core.geometry.combs import ISOLINES, families_changes, isolines
 from qovr_core.geometry.folding import folding_parts, folds
 from qovr_core.geometry.knots import Direction
 from qovr_core.joints import Joint
@@ -70,7 +70,7 @@ def fairness_facts(evaluation: Evaluation) -> dict[str, Any]:
     ``u`` and ``v`` are sums over ``isolines`` lines along each; None stands for a line that stops.
     """
     layer = evaluation.document.formulation.resting_layer
-    along_u, along_v = (comb_changes(lines) for lines in isolines(evaluation.layer_patch(layer)))
+    along_u, along_v = families_changes(*isolines(evaluation.layer_patch(layer)))
     sums = {name: float(changes.sum()) for name, changes in (("u", along_u), ("v", along_v))}
     return {
         "layer": str(layer),

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-from qovr_core.cli import build_parser
+from qovr_core.cli import COMMANDS
 from qovr_core.files.formats import FORMATS
 from support.structure import IMPORTS, PATHS, circle, classes, imports_between_rooms, upward_imports
 
@@ -22,7 +22,7 @@ MOST_METHODS = 20
 
 FLOORS = {
     "qovr_core": (
-        "arrays cameras errors layer number_texts registry version",
+        "arrays cameras errors later layer number_texts registry resources version",
         "checks colours net_edits net_moves streams",
         "geometry",
         "fields formulations joints knot_input net_input",
@@ -58,6 +58,20 @@ FLOORS = {
     ),
 }
 """The parts of each house from the ground up: each imports only from the floors below, and not from its neighbours."""
+
+SLOW = {
+    "concurrent.futures",
+    "csv",
+    "email",
+    "fractions",
+    "http",
+    "random",
+    "ssl",
+    "tempfile",
+    "uuid",
+    "zipfile",
+}
+"""Parts of Python that take milliseconds to import, and that nobody needs who is told of a surface."""
 
 HEADLESS = {
     "compare": ["paper:fig5", "--json"],
@@ -117,26 +131,31 @@ def test_types_are_ignored_nowhere():
     assert [module for module in PATHS if "type: ignore" in text_of(module)] == []
 
 
+def modules_of(code, folder):
+    """Return the names of all modules there are after running code in a fresh interpreter."""
+    names = f"{code}\nimport sys; print(*sys.modules, file=sys.__stderr__)"
+    done = subprocess.run([sys.executable, "-c", names], capture_output=True, text=True, check=True, cwd=folder)
+    return set(done.stderr.split())
+
+
 def loaded_by(code, folder):
     """Return the top-level modules that are no part of Python itself, after running code in a fresh interpreter."""
-    names = "import sys; print(*{name.split('.')[0] for name in sys.modules}, file=sys.__stderr__)"
-    done, before = (
-        subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True, cwd=folder)
-        for text in (f"{code}\n{names}", names)
-    )
-    loaded = set(done.stderr.split()) - set(before.stderr.split()) - set(sys.stdlib_module_names)
-    return {name for name in loaded if "cython" not in name}  # what NumPy's own extensions register
+    done, before = ({name.split(".")[0] for name in modules_of(text, folder)} for text in (code, ""))
+    return {name for name in done - before - set(sys.stdlib_module_names) if "cython" not in name}  # NumPy's own
 
 
-def loaded_by_command(arguments, folder):
-    """Return the same for a call of ``qovr``, which has to succeed."""
-    code = (
+def call_of(arguments):
+    """Return code that calls ``qovr``, which has to succeed."""
+    return (
         "import sys\nfrom qovr_app.main import main\n"
         f"sys.argv = ['qovr', *{arguments!r}]\n"
         "try: code = main()\nexcept SystemExit as end: code = end.code\n"
         "assert not code, code"
     )
-    return loaded_by(code, folder)
+
+
+def loaded_by_command(arguments, folder):
+    return loaded_by(call_of(arguments), folder)
 
 
 def test_importing_the_core_loads_numpy_alone(tmp_path):
@@ -157,7 +176,19 @@ def test_the_command_loads_nothing_heavy_before_it_is_needed(command, tmp_path):
     assert loaded_by_command(command, tmp_path) <= {"qovr_core", "qovr_app", "qovr_resources", "numpy"}
 
 
-@pytest.mark.parametrize("command", build_parser()[1].choices)
+@pytest.mark.parametrize("suffix", ["", ".qovr", ".step", ".csv"])
+def test_a_command_imports_no_other_command_and_no_other_format(suffix, tmp_path):
+    arguments = ["export", "paper:fig5", f"out{suffix}"] if suffix else ["info", "paper:fig5"]
+    loaded = modules_of(call_of(arguments), tmp_path) - modules_of("", tmp_path)
+    commands = {f"qovr_core.commands.{name}" for name in COMMANDS} & loaded
+    writers = {entry.suffix for entry in FORMATS.values() if entry.writer.__module__ in loaded}
+    assert commands == {f"qovr_core.commands.{arguments[0]}"}
+    assert writers - {".qovr"} == {suffix} - {"", ".qovr"}  # a document is what every other format can hold as text
+    assert not {name for name in loaded if name.startswith(("qovr_core.laboratory", "qovr_app.w", "qovr_app.state"))}
+    assert loaded & (set() if suffix else SLOW) == set()
+
+
+@pytest.mark.parametrize("command", COMMANDS)
 def test_every_headless_command_runs_without_qt(command, tmp_path, monkeypatch):
     monkeypatch.setenv("XDG_DATA_HOME", str(tmp_path / "data"))
     if command == "reproduce":
@@ -168,4 +199,4 @@ def test_every_headless_command_runs_without_qt(command, tmp_path, monkeypatch):
 def test_state_and_store_are_made_without_qt(tmp_path):
     modules = [module for module in PATHS if f"{module}.".startswith(("qovr_app.state.", "qovr_app.store."))]
     loaded = loaded_by("\n".join(f"import {module}" for module in modules), tmp_path)
-    assert loaded == {"qovr_app", "qovr_core", "numpy"}
+    assert loaded == {"qovr_app", "qovr_core", "qovr_resources", "numpy"}

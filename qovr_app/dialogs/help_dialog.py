@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from importlib.resources import files
 
 from PySide6.QtCore import QEvent, QSize, Qt
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayout, QWidget
@@ -11,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QTextBrowser, QVBoxLayo
 from qovr_app.dialogs.buttons import without_icons
 from qovr_app.dialogs.room import resize_within_screen
 from qovr_app.widgets.parts import named
+from qovr_core.resources import resource
 
 _SIZE = QSize(720, 640)
 _MARGIN = 16
@@ -55,5 +55,5 @@ class HelpDialog(QDialog):
             self._text.verticalScrollBar().setValue(place)
 
     def _read(self) -> None:
-        self._html = files("qovr_resources").joinpath("help", "help.html").read_text(encoding="utf-8")
+        self._html = resource("help", "help.html").read_text(encoding="utf-8")
         self._text.setHtml(self._html)

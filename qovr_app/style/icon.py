@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from importlib.resources import files
-
 from PySide6.QtCore import QByteArray
 from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtSvg import QSvgRenderer
 
 from qovr_app.style.canvas import blank_image, painting
+from qovr_core.resources import resource
 
 _SIZES = (16, 22, 24, 32, 48, 64, 128, 256)
 """Pixels."""
@@ -16,7 +15,7 @@ _SIZES = (16, 22, 24, 32, 48, 64, 128, 256)
 
 def program_icon() -> QIcon:
     """Return the icon."""
-    content = files("qovr_resources").joinpath("icons", "qovr-studio.svg").read_bytes()
+    content = resource("icons", "qovr-studio.svg").read_bytes()
     drawing, icon = QSvgRenderer(QByteArray(content)), QIcon()
     for size in _SIZES:
         image = blank_image((size, size), 1.0)

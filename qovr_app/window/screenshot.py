@@ -25,7 +25,7 @@ _REST_MILLISECONDS = 400
 """Longer than the view takes from its last change to its finer grid."""
 
 
-def add_screenshot_command(commands: Any) -> None:
+def add_command(commands: Any) -> None:
     """Add the command to the parser's commands."""
     command = commands.add_parser("screenshot", help="the editor's window as a picture; needs a display")
     command.add_argument("out", metavar="OUT.png", type=path)

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import re
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from qovr_core.document import Window
-from qovr_core.files.progress import Progress
+from qovr_core.files.progress import Progress, silent
 
 DONE, ANSWER_IS_NO, WRONG = 0, 1, 2
 """Exit codes: done; the answer is no; the call or its input is wrong."""
@@ -82,14 +82,19 @@ def finite(value: float) -> float | None:
 
 def print_json(content: object) -> None:
     """Print what a program reads."""
+    import json
+
     print(json.dumps(content, indent=2))
 
 
 @contextmanager
 def progress_bar(name: str) -> Iterator[Progress]:
     """Yield a progress that draws a bar on a terminal and nothing on a pipe."""
+    if not sys.stderr.isatty():
+        yield silent
+        return
     from tqdm import tqdm
 
     layout = "{desc}: {percentage:3.0f}% |{bar}| {elapsed}, {remaining} left"
-    with tqdm(desc=name, total=1.0, disable=None, leave=False, bar_format=layout) as bar:
+    with tqdm(desc=name, total=1.0, leave=False, bar_format=layout) as bar:
         yield lambda part: bar.update(part - bar.n) and None

@@ -9,13 +9,13 @@ import subprocess
 import sys
 from collections.abc import Iterator
 from contextlib import suppress
-from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 from qovr_core.commands.common import DONE
 from qovr_core.errors import QovrError
 from qovr_core.files.atomic import replacing
+from qovr_core.resources import resource
 
 DESKTOP_NAME = "qovr-studio"
 """What the entry is called, by which a desktop finds the icon and the place of a window."""
@@ -108,11 +108,11 @@ def _places(data: Path) -> tuple[Path, Path, Path, Path]:
 
 def _contents(data: Path) -> dict[Path, bytes]:
     """Return what belongs where."""
-    resources, program = files("qovr_resources"), _program()
-    entry = resources.joinpath("desktop", f"{DESKTOP_NAME}.desktop").read_text(encoding="utf-8")
+    program = _program()
+    entry = resource("desktop", f"{DESKTOP_NAME}.desktop").read_text(encoding="utf-8")
     entry = entry.replace("{exec}", exec_word(program)).replace("{program}", _escaped(program))
-    kind = resources.joinpath("desktop", f"{DESKTOP_NAME}.xml").read_bytes()
-    icon = resources.joinpath("icons", f"{DESKTOP_NAME}.svg").read_bytes()
+    kind = resource("desktop", f"{DESKTOP_NAME}.xml").read_bytes()
+    icon = resource("icons", f"{DESKTOP_NAME}.svg").read_bytes()
     return dict(zip(_places(data), (entry.encode(), kind, icon, icon), strict=True))
 
 

@@ -49,6 +49,10 @@ class Up(StrEnum):
         return np.stack([vectors[..., 0], vectors[..., 2], -vectors[..., 1]], axis=-1)
 
 
+USUAL_UP = {".obj": Up.Y, ".stl": Up.Z, ".ply": Up.Z}
+"""As Blender, Rhino and printers take these formats unless they are told otherwise, and turn them upright."""
+
+
 class CsvDialect(StrEnum):
     """How a table of text spells its cells; a comma cannot both part them and stand in their numbers."""
 

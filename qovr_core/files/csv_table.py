@@ -12,7 +12,6 @@ import numpy as np
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.conventions import CsvDialect
-from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM
@@ -44,16 +43,6 @@ def write_csv(evaluation: Evaluation, path: Path, progress: Progress, options: E
                 rows = ((i, j[k], u, v[k], *row) for k, row in enumerate(coordinates))
                 table.writerows(_spelt(rows, options.csv_dialect))
                 progress((i + 1) / len(evaluation.u))
-
-
-CSV = Format(
-    suffix=".csv",
-    name="CSV table",
-    keeps="all points at full precision, inputs, boxes and matrix in NAME.inputs.json beside it",
-    loses="the surface between its samples, but for the inputs beside it",
-    writer=write_csv,
-    is_text_table=True,
-)
 
 
 def _spelt(rows: Iterable[tuple[float, ...]], dialect: CsvDialect) -> Iterable[tuple[float | str, ...]]:

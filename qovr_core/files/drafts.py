@@ -7,8 +7,6 @@ machine or container that ran in; where a share knows no locks, the age of a dra
 from __future__ import annotations
 
 import os
-import secrets
-import shutil
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -95,7 +93,7 @@ def _made(folder: Path, make: Callable[[Path], None]) -> Iterator[Path]:
         # Between making and locking, another writer may sweep it away: it is gone, or its lock is held for that.
         while draft == folder or lock == _HELD or not draft.exists():
             _close(lock)
-            draft = folder / f"{_PREFIX}{os.getpid()}-{secrets.token_hex(6)}{_SUFFIX}"
+            draft = folder / f"{_PREFIX}{os.getpid()}-{os.urandom(6).hex()}{_SUFFIX}"
             make(draft)
             lock = _locked(draft)
         yield draft
@@ -137,6 +135,8 @@ def _close(descriptor: int) -> None:
 def _remove(draft: Path) -> None:
     with suppress(OSError):
         if draft.is_dir() and not draft.is_symlink():
+            import shutil
+
             shutil.rmtree(draft, ignore_errors=True)
         else:
             draft.unlink(missing_ok=True)

@@ -13,7 +13,6 @@ from qovr_core.colours import height_colours, linear
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
 from qovr_core.files.conventions import Unit, Up
-from qovr_core.files.format import Format
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh, check_float32, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
@@ -49,18 +48,6 @@ def write_glb(evaluation: Evaluation, path: Path, progress: Progress, options: E
         file.write(text)
         file.write(np.array([length, _BINARY_CHUNK], "<u4").tobytes())
         _write_buffer(file, mesh, centre, options.unit, progress)
-
-
-GLB = Format(
-    suffix=".glb",
-    name="glTF 2.0, binary",
-    keeps="triangles in 32 bits about their centre, in metres and Y up, normals, colours by height",
-    loses="the surface between its vertices; digits beyond the seventh of its size",
-    writer=write_glb,
-    holds_one_layer=True,
-    is_mesh=True,
-    has_unit=True,
-)
 
 
 def _positions(points: Array, centre: Array, unit: Unit) -> np.ndarray[Any, np.dtype[np.float32]]:

@@ -13,7 +13,6 @@ from qovr_core.files import bspline, parts, step_entities
 from qovr_core.files.atomic import replacing
 from qovr_core.files.bspline import SplineSurface
 from qovr_core.files.conventions import Unit
-from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.parts import Sheet
 from qovr_core.files.progress import Progress
@@ -48,20 +47,6 @@ def write_iges(evaluation: Evaluation, path: Path, progress: Progress, options: 
     with replacing(path) as (draft,):
         draft.write_text(text, encoding="ascii", newline="\n")
         progress(1.0)
-
-
-IGES = Format(
-    suffix=".iges",
-    name="IGES 5.3",
-    keeps=f"the exact surface, a B-spline surface (entity {ENTITY}) of true degree for each smooth part, in the unit "
-    "of its numbers",
-    loses="nothing of the surface; control net, knots and samples, but for the document as text",
-    writer=write_iges,
-    holds_one_layer=True,
-    has_unit=True,
-    has_parts=True,
-    other_suffixes=(".igs",),
-)
 
 
 def real(value: float) -> str:

@@ -8,7 +8,6 @@ from qovr_core.document import Document
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.array_document import INPUTS, NET_INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
-from qovr_core.files.format import Format
 from qovr_core.files.mat_read import read_arrays
 from qovr_core.files.npz_arrays import surface_arrays
 from qovr_core.files.options import DEFAULTS, ExportOptions
@@ -56,13 +55,3 @@ def read_mat(path: Path) -> Document:
     with reading(path, "cannot be read:") as file:
         arrays = read_arrays(file, (*INPUTS, *NET_INPUTS))
     return document_from_arrays(arrays, path)
-
-
-MAT = Format(
-    suffix=".mat",
-    name="MATLAB arrays",
-    keeps="inputs, points, boxes and matrix at full precision, for MATLAB and Octave",
-    loses="",
-    writer=write_mat,
-    reader=read_mat,
-)

@@ -16,7 +16,6 @@ from qovr_core.evaluation import Evaluation
 from qovr_core.files.archive import content, has, opened_archive
 from qovr_core.files.array_document import INPUTS, LARGEST_INPUT, NET_INPUTS, document_from_arrays
 from qovr_core.files.atomic import replacing
-from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import NO_DATE, PROGRAM
@@ -88,16 +87,6 @@ def read_npz(path: Path) -> Document:
     with reading(path, "is no whole NumPy archive:") as file, opened_archive(file) as archive:
         arrays = {name: _array(archive, name) for name in (*INPUTS, *NET_INPUTS) if has(archive, f"{name}.npy")}
     return document_from_arrays(arrays, path)
-
-
-NPZ = Format(
-    suffix=".npz",
-    name="NumPy arrays",
-    keeps="inputs, points, boxes and matrix at full precision",
-    loses="",
-    writer=write_npz,
-    reader=read_npz,
-)
 
 
 def _array(archive: zipfile.ZipFile, name: str) -> np.ndarray:

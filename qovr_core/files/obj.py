@@ -14,15 +14,11 @@ import numpy.typing as npt
 
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
-from qovr_core.files.conventions import Up
-from qovr_core.files.format import Format
+from qovr_core.files.conventions import USUAL_UP, Up
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import mesh_comments
-
-USUAL_UP = Up.Y
-"""So Blender and Rhino expect it of this format, and turn it upright."""
 
 _NORMAL = f"vn{3 * ' %.9g'}\n"
 """Every 32-bit number reads back as itself from 9 digits; a direction needs no more."""
@@ -36,7 +32,7 @@ def write_obj(evaluation: Evaluation, path: Path, progress: Progress, options: E
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
     mesh = build_mesh(evaluation, options, path, progress)
-    up = options.up or USUAL_UP
+    up = options.up or USUAL_UP[".obj"]
     total = len(mesh.points) + len(mesh.normals) + len(mesh.faces)
     done = 0
     with replacing(path) as (draft,), draft.open("w", encoding="ascii", newline="\n") as file:
@@ -46,18 +42,6 @@ def write_obj(evaluation: Evaluation, path: Path, progress: Progress, options: E
             file.write(text)
             done += count
             progress(MESHED + (1 - MESHED) * done / total)
-
-
-OBJ = Format(
-    suffix=".obj",
-    name="Wavefront OBJ",
-    keeps="triangles at full precision, exact normals",
-    loses="the surface between its vertices; colours",
-    writer=write_obj,
-    holds_one_layer=True,
-    is_mesh=True,
-    usual_up=USUAL_UP,
-)
 
 
 def _parts(mesh: Mesh, up: Up) -> Iterator[tuple[str, int]]:

@@ -12,15 +12,11 @@ import numpy as np
 from qovr_core.colours import height_colours
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
-from qovr_core.files.conventions import Up
-from qovr_core.files.format import Format
+from qovr_core.files.conventions import USUAL_UP
 from qovr_core.files.mesh import MESHED, Mesh, blocks, build_mesh
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import mesh_comments
-
-USUAL_UP = Up.Z
-"""As Blender and Rhino take this format unless they are told otherwise."""
 
 _VERTEX = np.dtype([("point", "<f8", 3), ("normal", "<f4", 3), ("colour", "u1", 3)])
 _FACE = np.dtype([("count", "u1"), ("corners", "<i4", 3)])
@@ -41,7 +37,7 @@ def write_ply(evaluation: Evaluation, path: Path, progress: Progress, options: E
     mesh = build_mesh(evaluation, options, path, progress)
     with replacing(path) as (draft,), draft.open("wb") as file:
         file.write(_header(mesh, mesh_comments(evaluation, options, mesh.deviation)).encode("ascii"))
-        up = options.up or USUAL_UP
+        up = options.up or USUAL_UP[".ply"]
         vertices, total = mesh.vertices, len(mesh.normals) + len(mesh.faces)
         low, high = vertices[:, 2].min(), vertices[:, 2].max()
         for part in blocks(len(vertices)):
@@ -57,18 +53,6 @@ def write_ply(evaluation: Evaluation, path: Path, progress: Progress, options: E
             faces["corners"] = mesh.corners[part]
             file.write(faces.tobytes())
             progress(MESHED + (1 - MESHED) * (len(vertices) + part.stop) / total)
-
-
-PLY = Format(
-    suffix=".ply",
-    name="Stanford PLY, binary",
-    keeps="triangles at full precision, normals, colours by height",
-    loses="the surface between its vertices",
-    writer=write_ply,
-    holds_one_layer=True,
-    is_mesh=True,
-    usual_up=USUAL_UP,
-)
 
 
 def _header(mesh: Mesh, comments: list[str]) -> str:

@@ -15,7 +15,6 @@ from qovr_core.edits import knots_of
 from qovr_core.errors import DocumentError, quoted
 from qovr_core.evaluation import Evaluation
 from qovr_core.files.atomic import replacing
-from qovr_core.files.format import Format
 from qovr_core.files.options import ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.reading import reading
@@ -60,19 +59,15 @@ def write_document(document: Document, path: Path) -> None:
         draft.write_text(document_to_json(document), encoding="utf-8", newline="\n")
 
 
-def _write(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions) -> None:
+def write_qovr(evaluation: Evaluation, path: Path, progress: Progress, _options: ExportOptions) -> None:
+    """Write the document of a surface as a ``.qovr`` file.
+
+    Raises
+    ------
+    FileError : the file cannot be written
+    """
     write_document(evaluation.document, path)
     progress(1.0)
-
-
-QOVR = Format(
-    suffix=".qovr",
-    name="QOVR document",
-    keeps="the document, exactly",
-    loses="the points, which the document makes again",
-    writer=_write,
-    reader=read_document,
-)
 
 
 def document_to_json(document: Document) -> str:

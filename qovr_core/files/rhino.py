@@ -20,7 +20,6 @@ from qovr_core.files import parts
 from qovr_core.files.atomic import LOGGER, replacing
 from qovr_core.files.bspline import SplineSurface
 from qovr_core.files.conventions import Unit
-from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.parts import Sheet
 from qovr_core.files.progress import Progress
@@ -110,20 +109,6 @@ def read_3dm(path: Path) -> Document:
     points = "1 control point was" if moved == 1 else f"{moved} control points were"
     LOGGER.warning("%s: %s moved after this program wrote the file; they count as they stand there now", path, points)
     return document
-
-
-RHINO = Format(
-    suffix=".3dm",
-    name="Rhino model",
-    keeps="the exact surface, one of true degree for each smooth part, in the unit of its numbers, control net and "
-    "points, the document as user text",
-    loses="the samples and the other layer, which the document makes again",
-    writer=write_3dm,
-    reader=read_3dm,
-    holds_one_layer=True,
-    has_unit=True,
-    has_parts=True,
-)
 
 
 def _document_text(content: mmap.mmap) -> str:

@@ -6,12 +6,10 @@ import os
 import re
 from pathlib import Path
 from urllib.parse import unquote_to_bytes
-from urllib.request import url2pathname
 
 from qovr_core.document import Document
 from qovr_core.errors import SourceError
-from qovr_core.files.formats import FORMATS
-from qovr_core.files.qovr_document import QOVR
+from qovr_core.files.formats import DOCUMENT_SUFFIX, FORMATS
 from qovr_core.files.reading import check_readable
 from qovr_core.presets import preset
 from qovr_core.shapes import shape
@@ -29,7 +27,7 @@ _ADDRESS = re.compile(r"file:(?://(?P<host>[^/]*))?(?=/)", re.IGNORECASE)
 def readable_suffixes() -> tuple[str, ...]:
     """Return the suffixes of the files that carry a whole document, the document's own first."""
     readable = [suffix for suffix, entry in FORMATS.items() if entry.reader is not None]
-    return tuple(sorted(readable, key=lambda suffix: suffix != QOVR.suffix))
+    return tuple(sorted(readable, key=lambda suffix: suffix != DOCUMENT_SUFFIX))
 
 
 def source_suffixes() -> tuple[str, ...]:
@@ -62,7 +60,11 @@ def local_path(source: str) -> str:
     if host not in ("", "localhost"):
         raise SourceError(f"{source}: is an address on {host}; expected a file of this machine, as file:///folder/name")
     path = source[found.end() :]
-    return url2pathname(path) if os.name == "nt" else os.fsdecode(unquote_to_bytes(os.fsencode(path)))
+    if os.name != "nt":
+        return os.fsdecode(unquote_to_bytes(os.fsencode(path)))
+    from urllib.request import url2pathname
+
+    return url2pathname(path)
 
 
 def read_source(source: str) -> Document:

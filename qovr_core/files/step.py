@@ -14,7 +14,6 @@ from qovr_core.evaluation import Evaluation
 from qovr_core.files import parts
 from qovr_core.files.atomic import replacing
 from qovr_core.files.conventions import Unit
-from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.parts import Sheet
 from qovr_core.files.progress import Progress
@@ -46,19 +45,6 @@ def write_step(evaluation: Evaluation, path: Path, progress: Progress, options: 
     with replacing(path) as (draft,):
         draft.write_text(_header(path, description) + data, encoding="ascii", newline="\n")
         progress(1.0)
-
-
-STEP = Format(
-    suffix=".step",
-    name="STEP AP214",
-    keeps="the exact surface, a B-spline face of true degree for each smooth part, in the unit of its numbers",
-    loses="nothing of the surface; control net, knots and samples, but for the document as an attribute",
-    writer=write_step,
-    holds_one_layer=True,
-    has_unit=True,
-    has_parts=True,
-    other_suffixes=(".stp",),
-)
 
 
 def _header(path: Path, description: str) -> str:

@@ -11,15 +11,11 @@ from qovr_core.arrays import Array
 from qovr_core.evaluation import Evaluation
 from qovr_core.files import bspline
 from qovr_core.files.atomic import replacing
-from qovr_core.files.conventions import Up
-from qovr_core.files.format import Format
+from qovr_core.files.conventions import USUAL_UP
 from qovr_core.files.mesh import MESHED, blocks, build_mesh, check_float32, float32_rounding
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import origin
-
-USUAL_UP = Up.Z
-"""As Blender, Rhino and printers take this format unless they are told otherwise."""
 
 HEADER_BYTES = 80
 
@@ -37,7 +33,7 @@ def write_stl(evaluation: Evaluation, path: Path, progress: Progress, options: E
     FileError : the surface has no area, the tolerance cannot be met, or the file cannot be written
     """
     mesh = build_mesh(evaluation, options, path, progress, float32_rounding(evaluation, options, REACH))
-    points = (options.up or USUAL_UP).turned(mesh.points)
+    points = (options.up or USUAL_UP[".stl"]).turned(mesh.points)
     check_float32(points, 1.0, path)
     offset = shift(points)
     with replacing(path) as (draft,), draft.open("wb") as file:
@@ -50,18 +46,6 @@ def write_stl(evaluation: Evaluation, path: Path, progress: Progress, options: E
             facets["points"] = corners
             file.write(facets.tobytes())
             progress(MESHED + (1 - MESHED) * part.stop / len(mesh.faces))
-
-
-STL = Format(
-    suffix=".stl",
-    name="STL, binary",
-    keeps="triangles in 32 bits; moved to the origin, which the header tells, where they would lose digits",
-    loses="the surface between its vertices; shared vertices, normals, colours, the unit",
-    writer=write_stl,
-    holds_one_layer=True,
-    is_mesh=True,
-    usual_up=USUAL_UP,
-)
 
 
 def shift(points: Array) -> Array:

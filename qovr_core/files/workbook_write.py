@@ -18,12 +18,10 @@ from qovr_core.evaluation import Evaluation
 from qovr_core.files import published_layout as layout
 from qovr_core.files.atomic import LOGGER, replacing, unwritable
 from qovr_core.files.drafts import scratch_folder
-from qovr_core.files.format import Format
 from qovr_core.files.options import DEFAULTS, ExportOptions
 from qovr_core.files.progress import Progress
 from qovr_core.files.provenance import PROGRAM, timestamp_insisted_on
 from qovr_core.files.qovr_document import document_to_json
-from qovr_core.files.workbook_read import read_workbook
 
 LARGE_WORKBOOK = 100_000
 """Points beyond which people want to know beforehand what they wait for."""
@@ -116,20 +114,6 @@ def write_workbook(evaluation: Evaluation, path: Path, progress: Progress, _opti
             _listed(decimals),
             layout.TRANSFORMED_DECIMALS,
         )
-
-
-WORKBOOK = Format(
-    suffix=".xlsx",
-    name="Excel workbook",
-    keeps="the published layout, cell for cell; "
-    f"transformed coordinates rounded to {layout.TRANSFORMED_DECIMALS} decimals, more where these are too coarse",
-    loses=f"the sixteenth digit of the points; more than {layout.MOST_POINTS:,} of them do not fit",
-    writer=write_workbook,
-    reader=read_workbook,
-    check=check_workbook_size,
-    suffixes_read=(".xlsm",),
-    announce=workbook_announcement,
-)
 
 
 def _check_readable(evaluation: Evaluation, path: Path) -> None:

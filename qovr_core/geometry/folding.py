@@ -8,7 +8,6 @@ the published workbooks, the weights no longer sum to 1, and the answer would ch
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import lru_cache
 
 import numpy as np
@@ -16,7 +15,6 @@ import numpy.typing as npt
 
 from qovr_core.arrays import Array, Flags
 from qovr_core.geometry import bernstein
-from qovr_core.geometry.exact_roots import derivative, product, sign_changes
 from qovr_core.geometry.knots import KNOT_NAMES, Knots
 from qovr_core.geometry.weights import CURVE_DEGREE, KERNEL_KNOTS, transformations
 
@@ -87,8 +85,11 @@ def folding_parts(knots: Knots) -> Parts:
     >>> folding_parts(Knots(s=0.2))
     ()
     """
+    from qovr_core.geometry.exact_roots import sign_changes
+    from qovr_core.geometry.exact_speed import exact_speed
+
     # At both ends the speed is above 0, whatever the knots: between its changes of sign it is so by turns.
-    turns = sign_changes(_exact_speed(knots))
+    turns = sign_changes(exact_speed(knots))
     return tuple(zip(turns[::2], turns[1::2], strict=True))
 
 
@@ -130,21 +131,3 @@ def _speeds(knots: Array) -> tuple[Array, Array]:
 def _blended(parabolas: Array) -> Array:
     """Return sum_p w_p Q_p, (k, 7), of parabolas (k, 3, 5)."""
     return np.asarray(parabolas.reshape(len(parabolas), -1) @ _BLENDING)
-
-
-def _exact_speed(knots: Knots) -> list[Fraction]:
-    """Return the same speed as coefficients of 1, u, u^2, ..., exactly."""
-    r, s, u, t = (Fraction(knot) for knot in knots)
-    a = (s - u) / (u * u - u)
-    zero, one = Fraction(0), Fraction(1)
-    transformed = [r, (1 - r) / u, zero], [zero, 1 - a, a], [-t * u / (1 - u), t / (1 - u), zero]
-    blends = [one, -2 * one, one], [zero, 2 * one, -2 * one], [zero, zero, one]
-    position = [zero] * 7
-    for p, (x, blend, knot) in enumerate(zip(transformed, blends, (r, s, t), strict=True)):
-        c = (1 - 2 * knot) / (knot * (1 - knot))
-        parabola = [-c * square for square in product(x, x)]
-        for k in range(3):
-            parabola[k] += (2 + c) * x[k]
-        parabola[0] += p
-        position = [before + more for before, more in zip(position, product(blend, parabola), strict=True)]
-    return derivative(position)

@@ -11,17 +11,19 @@ from __future__ import annotations
 import os
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import cache, cached_property
 from itertools import pairwise
 from math import prod
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
 from qovr_core.arrays import Array, Indices, checked_out
+
+if TYPE_CHECKING:
+    from concurrent.futures import ThreadPoolExecutor
 
 BLOCK_BYTES = 288 * 1024
 """Result of one block: it stays in a core's cache, and OpenBLAS, which threads products beyond 2^18 multiplications
@@ -125,6 +127,8 @@ def _threads() -> int:
 
 @cache
 def _pool() -> ThreadPoolExecutor:
+    from concurrent.futures import ThreadPoolExecutor
+
     return ThreadPoolExecutor(_threads(), thread_name_prefix="qovr-grid")
 
 

@@ -8,13 +8,20 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from qovr_app.main import main
+from qovr_core.cli import COMMANDS
+from qovr_core.files.formats import FORMATS
 
 QOVR = Path(sys.executable).with_name("qovr")
 """The command itself, for tests of what surrounds it: how it starts, its streams, its signals."""
 
+_IMPORTED = {add_command.__module__ for add_command in COMMANDS.values()} | {
+    entry.writer.__module__ for entry in FORMATS.values()
+}
+"""What commands import when they are called."""
+
 _HAS_FORKS = "forkserver" in multiprocessing.get_all_start_methods()
 _PROCESSES = multiprocessing.get_context("forkserver" if _HAS_FORKS else "spawn")
-_PROCESSES.set_forkserver_preload(["qovr_core.cli", "qovr_app.window.screenshot", "openpyxl", "xlsxwriter"])
+_PROCESSES.set_forkserver_preload([*_IMPORTED, "openpyxl", "xlsxwriter"])
 
 _SECONDS = 300
 

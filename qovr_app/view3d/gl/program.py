@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import cache
-from importlib.resources import files
 
 from PySide6.QtGui import QOpenGLContext
 from PySide6.QtOpenGL import QOpenGLShader, QOpenGLShaderProgram
 
 from qovr_app.view3d.gl.calls import DriverError
+from qovr_core.resources import resource
 
 _DESKTOP_HEAD = "#version 140\n"
 _ES_HEAD = "#version 300 es\nprecision highp float;\nprecision highp int;\n"
@@ -22,7 +22,7 @@ class ShaderError(DriverError):
 @cache
 def shader_source(name: str) -> str:
     """Return the text of a shader by its file's name."""
-    return files("qovr_resources").joinpath("shaders", name).read_text(encoding="utf-8")
+    return resource("shaders", name).read_text(encoding="utf-8")
 
 
 def link_program(name: str, *, defines: Sequence[str] = (), attributes: Sequence[str] = ()) -> QOpenGLShaderProgram:
