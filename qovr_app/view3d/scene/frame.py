@@ -9,6 +9,7 @@ import numpy as np
 
 from qovr_app.state.display import Scaling
 from qovr_app.style.ticks import is_flat, round_limits
+from qovr_app.view3d.scene.grid import touched_windows
 from qovr_core.arrays import Array, read_only
 from qovr_core.geometry.differential import ParametricSurface
 from qovr_core.geometry.patch import Patch
@@ -60,9 +61,19 @@ class Frame:
         moved[:3, 3] = -self.centre
         return surface.transformed(moved).transformed(scaled)
 
-    def laid_patch(self, patch: Patch) -> Patch:
-        """Return a patch of the document's space in the unit space, its coefficients no larger than ``WILDEST``."""
-        return patch.mapped(lambda points: self._laid_points(points, WILDEST))
+    def laid_patch(self, patch: Patch, known: tuple[Patch, Patch] | None = None) -> Patch:
+        """Return a patch of the document's space in the unit space, its coefficients no larger than ``WILDEST``.
+
+        Parameters
+        ----------
+        known : another patch and what it is in the unit space; only windows that differ from it are laid anew
+        """
+        touched = touched_windows(known[0], patch) if known else None
+        if known is None or touched is None:
+            return patch.mapped(lambda points: self._laid_points(points, WILDEST))
+        coefficients = known[1].coefficients.copy()
+        coefficients[touched] = self._laid_points(patch.coefficients[touched], WILDEST)
+        return Patch(read_only(coefficients), patch.degree, patch.lengths)
 
     def to_unit(self, points: Array) -> Array:
         """Return points (..., 3) of the document in the unit space, none of them farther off than ``FARTHEST``."""
@@ -70,7 +81,9 @@ class Frame:
 
     @np.errstate(over="ignore")
     def _laid_points(self, points: Array, limit: float) -> Array:
-        return np.clip((points - self.centre) * self.scale, -limit, limit)
+        laid = points - self.centre
+        laid *= self.scale
+        return np.clip(laid, -limit, limit, out=laid)
 
 
 def frame_around(boxes: list[Array], scaling: Scaling) -> Frame:

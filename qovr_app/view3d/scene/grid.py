@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from weakref import WeakKeyDictionary, ref
 
 import numpy as np
 
@@ -112,8 +113,23 @@ def windows_of(surface: ParametricSurface) -> tuple[int, int]:
     return surface.windows if isinstance(surface, Patch) else (1, 1)
 
 
-def touched_windows(before: Patch, after: Patch) -> tuple[slice, slice] | None:
+Touched = tuple[slice, slice] | None
+"""Windows along v and along u; None for most of them."""
+
+_touched: WeakKeyDictionary[Patch, tuple[ref[Patch], Touched]] = WeakKeyDictionary()
+"""What was found of patches last: several ask at every edit, and the patches of large nets are megabytes."""
+
+
+def touched_windows(before: Patch, after: Patch) -> Touched:
     """Return the windows, along v and along u, in which alone two patches differ; None where these are the most."""
+    known, found = _touched.get(after, (None, None))
+    if known is None or known() is not before:
+        found = _compared(before, after)
+        _touched[after] = ref(before), found
+    return found
+
+
+def _compared(before: Patch, after: Patch) -> Touched:
     if before.windows != after.windows:
         return None
     touched = np.nonzero((before.coefficients != after.coefficients).any(axis=(2, 3, 4)))

@@ -10,6 +10,7 @@ from weakref import WeakSet
 import numpy as np
 
 from qovr_app.state.display import Scaling, Style
+from qovr_app.view3d.scene.companions import Companions
 from qovr_app.view3d.scene.curve_lines import curve_points
 from qovr_app.view3d.scene.display_grid import display_grid
 from qovr_app.view3d.scene.frame import FARTHEST, Frame, frame_around
@@ -20,7 +21,6 @@ from qovr_app.view3d.scene.values import revised_values
 from qovr_core import CurveNetwork, Document, Evaluation, ParametricSurface, Patch, curve_network
 from qovr_core.arrays import Array, read_only
 from qovr_core.fields import Field, Need, field_values
-from qovr_core.geometry.knots import KnotPlace
 from qovr_core.layer import Layer
 
 CURVE_PIECES = 48
@@ -32,22 +32,6 @@ _BESIDE = 1e-9
 
 _COARSE = (8, 8)
 """Cells whose vertices tell which side of a surface is the upper one."""
-
-
-@dataclass(frozen=True, eq=False)
-class Companions:
-    """What a scene is looked at with, and is no part of it.
-
-    Parameters
-    ----------
-    reference : a surface in the document's units, from which distances are taken; it stays what it was
-    reference_name : what to call it
-    knot : the knot to which the sensitivity is shown
-    """
-
-    reference: ParametricSurface | None = None
-    reference_name: str = ""
-    knot: KnotPlace | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -187,10 +171,13 @@ class Scene:
 
     @cached_property
     def window_corners(self) -> Array:
-        """The corners of all windows in the unit space, (n + 1, m + 1, 3): those of the windows that end there."""
-        places, _ = self.mesh(1)
-        u, v = (np.append(np.arange(0, count, 2), count - 1) for count in places.shape[:2])
-        return read_only(places[np.ix_(u, v)])
+        """The corners of all windows in the unit space, (n + 1, m + 1, 3): those of the windows that begin there."""
+        assert isinstance(self.patch, Patch), "other surfaces have no windows"
+        m, n = self.patch.windows
+        corners, coefficients = np.empty((m + 1, n + 1, 3)), self.patch.coefficients
+        corners[:m, :n], corners[m, :n] = coefficients[:, :, 0, 0], coefficients[-1, :, 0, -1]
+        corners[:m, n], corners[m, n] = coefficients[:, -1, -1, 0], coefficients[-1, -1, -1, -1]
+        return read_only(np.clip(corners, -FARTHEST, FARTHEST).swapaxes(0, 1))
 
     @cached_property
     def is_turned(self) -> bool:
@@ -229,13 +216,23 @@ def make_scene(
     frame: Frame,
     companions: Companions | None = None,
     document: Document | None = None,
+    *,
+    earlier: Scene | None = None,
 ) -> Scene:
-    """Return one layer of an evaluation in a frame, with the control points of a document or with its own."""
-    surface = evaluation.layer_patch(layer)
+    """Return one layer of an evaluation in a frame, with the control points of a document or with its own.
+
+    Parameters
+    ----------
+    earlier : a scene of the layer from which it may differ in few windows
+    """
+    surface, known = evaluation.layer_patch(layer), None
+    if earlier is not None and earlier.frame is frame and isinstance(earlier.surface, Patch):
+        assert isinstance(earlier.patch, Patch), "a surface laid in the unit space stays of its kind"
+        known = earlier.surface, earlier.patch
     return Scene(
         layer=layer,
         frame=frame,
-        patch=frame.laid_patch(surface),
+        patch=frame.laid_patch(surface, known),
         surface=surface,
         evaluation=evaluation,
         document=document or evaluation.document,

@@ -65,10 +65,11 @@ class Scenes:
         for layer in shown.settings.layer.layers:
             if layer not in self._frames or not keep_limits:
                 self._frames[layer] = scene_frame(evaluation, layer, shown.settings.scaling, *others)
-            scene = make_scene(evaluation, layer, self._frames[layer], shown.companions, shown.document)
+            frame, earlier = self._frames[layer], before.get(layer)
+            scene = make_scene(evaluation, layer, frame, shown.companions, shown.document, earlier=earlier)
             self._own[layer] = replace(scene, held=self._held)
-            if layer in before:
-                self._own[layer].follow(before[layer])
+            if earlier is not None:
+                self._own[layer].follow(earlier)
         self._compare()
 
     def _compare(self) -> None:

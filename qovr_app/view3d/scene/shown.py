@@ -8,8 +8,8 @@ from typing import Any
 from qovr_app.state.display import DisplaySettings
 from qovr_app.state.knot_in_hand import KnotInHand
 from qovr_app.state.tools import ToolSettings
+from qovr_app.view3d.scene.companions import Companions
 from qovr_app.view3d.scene.comparison import ComparisonView
-from qovr_app.view3d.scene.scene import Companions
 from qovr_core import Document, Evaluation, ParametricSurface
 from qovr_core.document import NetIndex, Window
 from qovr_core.fields import FIELDS

@@ -11,9 +11,10 @@ from qovr_app.style.colour_maps import DIVERGING, colour_table
 from qovr_app.style.theme import theme_of
 from qovr_app.view3d.scene import scene as scenes
 from qovr_app.view3d.scene.colouring import SINGULAR_NOTE, UNDEFINED, Colouring, colouring_of
+from qovr_app.view3d.scene.companions import Companions
 from qovr_app.view3d.scene.grid import spread
 from qovr_app.view3d.scene.patterns import isophote_parts, zebra_is_light
-from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
+from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Document, Evaluation
 from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.fields import FIELDS, Field, field_values

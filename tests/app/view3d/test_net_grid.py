@@ -8,12 +8,13 @@ import pytest
 from qovr_app.state.display import Scaling, Style
 from qovr_app.view3d.scene import scene as scenes
 from qovr_app.view3d.scene.camera import Camera
+from qovr_app.view3d.scene.companions import Companions
 from qovr_app.view3d.scene.display_grid import display_grid, facet_grid, sample_grid
 from qovr_app.view3d.scene.grid import Grid, cell_corners, cell_starts, parameters, shared_grid, spread, window_starts
 from qovr_app.view3d.scene.mesh import revised_vertices, surface_vertices, triangle_indices
 from qovr_app.view3d.scene.occlusion import Occluder
 from qovr_app.view3d.scene.picture import Picture
-from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
+from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Evaluation, Formulation
 from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.edits import Direction, KnotPlace, set_point, set_values
@@ -249,6 +250,25 @@ def test_windows_too_small_to_be_told_apart_share_their_cells_while_something_mo
     revised, rows = revised_vertices(vertices, scene.patch, after.patch, grid)
     np.testing.assert_array_equal(revised, surface_vertices(after.patch, grid))
     assert rows.stop - rows.start < len(vertices) / 4
+
+
+@pytest.mark.parametrize("index", [(4, 4), (0, 0), (12, 14)])
+@pytest.mark.parametrize("layer", list(Layer))
+def test_a_surface_laid_by_an_earlier_one_is_what_it_is_laid_anew(index, layer):
+    document = random_net_document(4, (5, 6))
+    before = scene_of(document, layer)
+    for moved in (document, set_point(document, *index, document.control_points[index] + [0.0, 0.1, 3.0])):
+        result = Evaluation(moved, before.evaluation)
+        anew = make_scene(result, layer, before.frame)
+        after = make_scene(result, layer, before.frame, earlier=before)
+        np.testing.assert_array_equal(after.patch.coefficients, anew.patch.coefficients)
+        assert not after.patch.coefficients.flags.writeable
+        assert after.patch.lengths[0].tolist() == anew.patch.lengths[0].tolist()
+
+
+def test_corners_of_windows_are_points_of_the_surface():
+    scene = scene_of(random_net_document(4, (5, 6)))
+    np.testing.assert_allclose(scene.window_corners, scene.patch.points(*scene.patch.breakpoints), atol=1e-12)
 
 
 @pytest.mark.parametrize("by", ["height", "mean", "distance"])

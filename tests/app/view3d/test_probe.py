@@ -11,9 +11,10 @@ from PySide6.QtWidgets import QApplication
 from qovr_app.state.display import LayerChoice, Scaling
 from qovr_app.view3d.painter.readout import readout_rows, readout_text
 from qovr_app.view3d.scene.camera import Camera
+from qovr_app.view3d.scene.companions import Companions
 from qovr_app.view3d.scene.mesh import surface_vertices
 from qovr_app.view3d.scene.probing import parameters_under, reading_at
-from qovr_app.view3d.scene.scene import Companions, make_scene, scene_frame
+from qovr_app.view3d.scene.scene import make_scene, scene_frame
 from qovr_core import Evaluation
 from qovr_core.cameras import NAMED_VIEWS
 from qovr_core.edits import Direction, KnotPlace, set_formulation
