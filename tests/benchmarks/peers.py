@@ -33,6 +33,34 @@ def finish(widget):
     widget.doneCurrent()
 
 
+class Empty:
+    """An empty widget of OpenGL's that is drawn again."""
+
+    def __init__(self, application):
+        from PySide6.QtOpenGLWidgets import QOpenGLWidget
+
+        self.application, self.painted, self.widget = application, 0, QOpenGLWidget()
+        self.widget.frameSwapped.connect(self._count)
+        self.widget.resize(*SIZE)
+        self.widget.show()
+
+    def _count(self):
+        self.painted += 1
+
+    def draw(self):
+        """Wait for the finished frame."""
+        before = self.painted
+        self.widget.update()
+        while self.painted == before:
+            self.application.processEvents()
+        finish(self.widget)
+
+    def close(self):
+        """Take it off the screen."""
+        self.widget.close()
+        self.widget.deleteLater()
+
+
 class Stock:
     """A view with pyqtgraph's own surface item of all samples.
 

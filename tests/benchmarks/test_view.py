@@ -11,7 +11,7 @@ from qovr_core.presets import preset
 
 pytest.importorskip("PySide6")
 
-from .peers import SIZE, PyVista, Stock, finish, regular_document
+from .peers import SIZE, Empty, PyVista, Stock, finish, regular_document
 from .timing import RUNS
 
 STOCK_EVERY = {101: 1, 401: 5, 1001: 15}
@@ -111,6 +111,13 @@ def counting(act):
 def edited(bench):
     """Return a call that edits a point and waits for the finished frame."""
     return counting(lambda k: bench.frame(bench.edit, k))
+
+
+def test_a_moving_frame_beside_an_empty_widget(bench, measure):
+    empty = Empty(bench.application)
+    bench.settle()
+    measure("frame", counting(lambda k: bench.frame(bench.orbit, k)), empty.draw, rounds=3 * EDITS)
+    empty.close()
 
 
 @pytest.mark.parametrize("size", STOCK_EVERY)
