@@ -13,7 +13,7 @@ from qovr_core.geometry import bernstein
 PARTS = 4
 """Cells along each direction to begin with, and parts of a cell that is cut."""
 
-_LARGEST_LEAF = 16
+_LARGEST_LEAF = 32
 """Intervals of a cell along one direction up to which its samples cost no more than to cut it further."""
 
 
