@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QPoint, QRectF
 from PySide6.QtGui import QColor, QImage, QPainter
@@ -14,7 +15,6 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.state.figure_options import FigureOptions
 from qovr_app.style.canvas import blank_image, painting
 from qovr_app.style.theme import Theme
-from qovr_app.view3d.figure.figure import Panel, save_figure
 from qovr_app.view3d.painter.backdrop import backdrop
 from qovr_app.view3d.painter.overlay import overlay
 from qovr_app.view3d.painter.paint import paint
@@ -23,6 +23,9 @@ from qovr_app.view3d.viewport import Viewport
 from qovr_app.work.gui_calls import InGui
 from qovr_core import FileError
 from qovr_core.files.progress import Progress
+
+if TYPE_CHECKING:
+    from qovr_app.view3d.figure.figure import Panel
 
 _DRAWN = 0.7
 """Part of the time of a figure after which it is drawn; the rest is for the file."""
@@ -52,6 +55,8 @@ def figure_writer(seen: Sequence[tuple[Viewport, Picture]], *, refit: bool) -> F
     ----------
     refit : fit each camera to the figure's shape, as the view fits it to the window's
     """
+    from qovr_app.view3d.figure.figure import Panel, save_figure
+
     at_rest = [
         (viewport, viewport.logical_size, replace(picture, moving=False, hovered=None, hand=None))
         for viewport, picture in seen

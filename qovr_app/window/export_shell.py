@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.dialogs.export_dialog import ExportDialog
-from qovr_app.dialogs.figure_dialog import FigureDialog, FigureWriter
 from qovr_app.state import requests
 from qovr_app.state.looking_intents import MessageShown
 from qovr_app.store import Store
@@ -17,6 +16,9 @@ from qovr_app.window.preferences import Preferences
 from qovr_app.window.shell import Answers
 from qovr_app.work.worker import Worker
 from qovr_core.files import ExportOptions
+
+if TYPE_CHECKING:
+    from qovr_app.dialogs.figure_dialog import FigureWriter
 
 
 class ExportShell:
@@ -58,6 +60,8 @@ class ExportShell:
         if self._store.state.is_stale:
             self._say("Nothing to export: configure the surface first.", is_refusal=True)
             return
+        from qovr_app.dialogs.export_dialog import ExportDialog
+
         document, window = self._store.state.document, self._store.state.window
         first = self._preferences.conventions if self._preferences else self._conventions
         dialog = ExportDialog(document, self._stem, self._worker, first, self._window, window=window)
@@ -80,6 +84,8 @@ class ExportShell:
         self._ask_for_figure(f"_{request.name}", "everything is lines", request.write)
 
     def _ask_for_figure(self, addition: str, vectors: str, write: FigureWriter) -> None:
+        from qovr_app.dialogs.figure_dialog import FigureDialog
+
         first = self._stem.with_name(f"{self._stem.name}{addition}.png")
         dialog = FigureDialog(first, vectors, write, self._worker, self._window)
         dialog.written.connect(self._on_written)

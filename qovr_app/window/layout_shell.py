@@ -6,7 +6,6 @@ import math
 
 from PySide6.QtWidgets import QDialog, QWidget
 
-from qovr_app.dialogs.range_dialog import RangeDialog
 from qovr_app.state import requests, view_requests
 from qovr_app.state.looking_intents import PaperLookChosen, RangeFixed
 from qovr_app.store import Store
@@ -54,6 +53,8 @@ class LayoutShell:
         title, limits = self._layout.view_frame.view.shown_range()
         if not all(map(math.isfinite, limits)) or not limits[0] < limits[1]:
             limits = self._store.state.display.fixed_range
+        from qovr_app.dialogs.range_dialog import RangeDialog
+
         dialog = RangeDialog(title, limits, self._window)
         if dialog.exec() == QDialog.DialogCode.Accepted:
             self._store.dispatch(RangeFixed(*dialog.limits))

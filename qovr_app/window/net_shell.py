@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.dialogs.net_dialogs import CreaseDialog, NetDialog, ResampleDialog
 from qovr_app.state import net_intents
 from qovr_app.state.gestures import next_gesture
 from qovr_app.state.intents import GestureBegun, GestureCancelled, GestureEnded, Intent
@@ -15,6 +15,9 @@ from qovr_app.store import Store
 from qovr_app.window.shell import Answers
 from qovr_app.zones.net_facts import joint_line
 from qovr_core.edits import knots_of
+
+if TYPE_CHECKING:
+    from qovr_app.dialogs.net_dialogs import NetDialog
 
 
 class NetShell:
@@ -28,6 +31,8 @@ class NetShell:
         }
 
     def _ask_joint(self, asked: net_intents.JointAsked) -> None:
+        from qovr_app.dialogs.net_dialogs import CreaseDialog, NetDialog
+
         direction, joint = asked.direction, asked.joint
         after = (joint + 1) % knots_of(self._store.state.document, direction).windows
         where = f"between the windows {joint} and {after} along {direction.parameter}"
@@ -40,6 +45,8 @@ class NetShell:
         self._preview(dialog, lambda gesture: net_intents.JointCreased(direction, joint, dialog.strength, gesture))
 
     def _ask_resampling(self, _asked: net_intents.ResamplingAsked) -> None:
+        from qovr_app.dialogs.net_dialogs import ResampleDialog
+
         dialog = ResampleDialog(self._store.state.document.windows, self._window)
         self._preview(dialog, lambda gesture: net_intents.NetResampled(dialog.windows, dialog.is_even, gesture))
 

@@ -5,8 +5,6 @@ from __future__ import annotations
 from PySide6.QtCore import QPoint
 from PySide6.QtWidgets import QWidget
 
-from qovr_app.dialogs.symmetry_dialog import SymmetryDialog
-from qovr_app.dialogs.transform_dialog import TransformDialog
 from qovr_app.state.gestures import next_gesture
 from qovr_app.state.intents import GestureBegun, GestureCancelled, GestureEnded
 from qovr_app.state.looking_intents import ToolChosen
@@ -21,6 +19,8 @@ _FROM_EDGE = 24
 
 def ask_transform(store: Store, window: QWidget, view: QWidget) -> None:
     """Ask by how much the points that are selected now are to be moved; the view shows it at once, Cancel puts back."""
+    from qovr_app.dialogs.transform_dialog import TransformDialog
+
     begun, gesture = store.state.document, next_gesture()
     indices = store.state.selection.indices
     dialog = TransformDialog(points_text(indices), begun.net_size, window)
@@ -43,6 +43,8 @@ def ask_transform(store: Store, window: QWidget, view: QWidget) -> None:
 
 def ask_symmetry(store: Store, window: QWidget) -> None:
     """Ask in which planes rows and columns mirror each other."""
+    from qovr_app.dialogs.symmetry_dialog import SymmetryDialog
+
     state = store.state
     dialog = SymmetryDialog(
         (state.tools.mirror_columns, state.tools.mirror_rows), state.document.control_points, window

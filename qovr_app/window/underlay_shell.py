@@ -7,7 +7,6 @@ from pathlib import Path
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QDialog, QFileDialog, QWidget
 
-from qovr_app.dialogs.underlay_dialog import UnderlayDialog
 from qovr_app.state import view_requests
 from qovr_app.state.display import Underlay
 from qovr_app.state.looking_intents import DisplayChosen, MessageShown
@@ -56,6 +55,8 @@ class UnderlayShell:
         underlay = self._store.state.display.underlay
         if underlay is None:
             return
+        from qovr_app.dialogs.underlay_dialog import UnderlayDialog
+
         dialog = UnderlayDialog(underlay, self._window)
         if dialog.exec() == QDialog.DialogCode.Accepted:
             self._store.dispatch(DisplayChosen("underlay", dialog.underlay))

@@ -152,12 +152,14 @@ def test_methods_that_return_nothing_keep_their_references(app):
     assert abs(after[1] - before[1]) < 100
 
 
-def test_the_start_of_a_window_reads_no_source(display, tmp_path):
+def test_the_start_of_a_window_reads_no_source_and_imports_nothing_for_what_is_not_shown(display, tmp_path):
     """PySide6 would, that of every module which is imported after it; what is read is kept in the cache of lines."""
     code = (
         "import gc, linecache, sys\nfrom qovr_app.main import main\n"
         f"sys.argv = ['qovr', 'screenshot', {str(tmp_path / 'window.png')!r}]\n"
         "try: main()\nexcept SystemExit as end: assert not end.code\n"
+        "late = 'qovr_app.dialogs.ex qovr_app.dialogs.net qovr_app.view3d.figure matplotlib pyqtgraph scipy'\n"
+        "assert not [name for name in sys.modules if name.startswith(tuple(late.split()))]\n"
         "assert not [name for name in linecache.cache if 'qovr' in name or 'numpy' in name]\nassert gc.isenabled()"
     )
     subprocess.run([sys.executable, "-c", code], check=True)
