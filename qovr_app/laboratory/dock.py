@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QSignalBlocker, QSize, Qt, QTimer
-from PySide6.QtGui import QActionGroup, QShowEvent
+from PySide6.QtCore import QSignalBlocker, QSize, Qt
+from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import (
     QFrame,
     QHBoxLayout,
@@ -25,6 +25,7 @@ from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.narrow_tabs import NarrowTabs
 from qovr_app.widgets.parts import named
+from qovr_app.widgets.seen_part import SLOW_PAUSE, SeenPart
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.work.worker import Worker
 
@@ -49,9 +50,7 @@ class LaboratoryDock(QWidget):
         self.setAutoFillBackground(True)
         self.setVisible(False)
         self._panels: dict[str, LaboratoryPanel] = {}
-        self._shown: dict[str, EditorState] = {}
-        self._due = QTimer(self, singleShot=True, interval=0)
-        self._due.timeout.connect(self._show_panel)
+        self._seen: dict[str, SeenPart] = {}
         self._tabs = self._make_tabs()
         self._stale = named(QLabel("older than what is set", self), "laboratory.stale")
         self._stale.setToolTip("All panels are of the surface configured last.")
@@ -72,11 +71,8 @@ class LaboratoryDock(QWidget):
         self._stale.setVisible(after.is_stale)
         if after.differs(before, "panel"):
             self._open(after.panel)
-        self._show_panel()
-
-    def showEvent(self, event: QShowEvent) -> None:
-        super().showEvent(event)
-        self._due.start()
+        for seen in self._seen.values():
+            seen.show_state(before, after)
 
     def _open(self, name: str) -> None:
         """Bring a panel to the front, made now if it has not been shown before; give the room back without a name."""
@@ -90,16 +86,6 @@ class LaboratoryDock(QWidget):
             self.updateGeometry()
         self.setVisible(bool(name))
 
-    def _show_panel(self) -> None:
-        """Show the panel that is seen the state that is shown now."""
-        state = self._store.shown
-        panel = self._panels.get(state.panel)
-        if panel is not None and panel.isVisible():
-            before = self._shown.get(state.panel)
-            if before is not state:
-                self._shown[state.panel] = state
-                panel.show_state(before, state)
-
     def _make_panel(self, record: PanelRecord) -> LaboratoryPanel:
         panel = record.make(self._store, self._worker)
         panel.setObjectName(f"laboratory.{record.name}")
@@ -110,6 +96,7 @@ class LaboratoryDock(QWidget):
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(panel)
         self._stack.addWidget(area)
+        self._seen[record.name] = SeenPart(panel, panel.show_state, self._store, pause=SLOW_PAUSE)
         return panel
 
     def _make_tabs(self) -> NarrowTabs:

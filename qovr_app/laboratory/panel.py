@@ -22,8 +22,8 @@ WIDE = 560
 class LaboratoryPanel(QWidget):
     """A panel that shows something of the configured surface and changes nothing by itself.
 
-    While it is visible, its dock shows it the state: once when it becomes visible, and then whenever the state
-    changes, at most once in a turn of the event loop, before the turn's frame.
+    While it is seen, its dock shows it the state: when it comes before the user's eyes, and then whenever the state
+    changes, before the turn's frame; during a gesture less often, see ``SeenPart``.
     """
 
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from pathlib import Path
@@ -226,6 +226,10 @@ class EditorState:
     def is_pending(self, place: Place) -> bool:
         """Whether what a field holds is not set."""
         return place in self.texts or value_at(self.draft, place) != value_at(self.document, place)
+
+    def count_pending(self, places: Iterable[Place]) -> int:
+        """Return how many of some fields hold what is not set."""
+        return sum(map(self.is_pending, places)) if self.texts or self.draft is not self.document else 0
 
 
 @lru_cache(maxsize=2)

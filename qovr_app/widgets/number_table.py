@@ -103,8 +103,9 @@ class NumberTable(QuietTable):
 
     def set_quiet(self, is_quiet: bool) -> None:
         """Dim numbers that are no longer true."""
-        self._delegate.is_quiet = is_quiet
-        self.viewport().update()
+        if is_quiet != self._delegate.is_quiet:
+            self._delegate.is_quiet = is_quiet
+            self.viewport().update()
 
     def rows_to_copy(self) -> Rows:
         """Return what is selected, or all, with every digit."""

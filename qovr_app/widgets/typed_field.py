@@ -112,13 +112,17 @@ class TypedField(NumberCell):
         self._put(self.typed())
 
     def _put(self, value: float) -> None:
-        had_error = bool(self._error)
+        had_error, own_text = bool(self._error), self.text() if self.has_own_text else None
         self._value, self._shown, self._error = value, number_text(value), ""
+        was_blocked = self.blockSignals(True)  # the field is brought up to date once, below
         self.setText(self._shown)
+        self.blockSignals(was_blocked)
         self.setModified(False)
         if not self.hasFocus():
             self.setCursorPosition(0)
         self._refresh()
+        if own_text not in (None, self._shown):
+            self.text_owned.emit()
         if had_error:
             self.refused.emit("")
 

@@ -93,7 +93,7 @@ class Clipboard:
         return f"Copied the {zone.accessibleName().lower()}"
 
     def _copy_plane(self) -> str:
-        copy_table(self._layout.points.copied_plane())
+        copy_table(self._layout.zones.told(self._layout.zones.points).copied_plane())
         return "Copied one coordinate of the 25 points in the zone"
 
     def _copy_probe(self) -> str:

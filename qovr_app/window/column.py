@@ -50,6 +50,7 @@ class Column(QWidget):
         self._names: list[str] = []
         self._zone = "control_points"  # what is pulled in the view is seen there
         self._shows_laboratory = False
+        self._marks: dict[str, tuple[Rgb | None, str]] = {}
         self._tabs = named(QTabBar(self), "zones.tabs", "Zones")
         guard_from_wheels(self._tabs)
         self._tabs.setDocumentMode(True)
@@ -87,7 +88,7 @@ class Column(QWidget):
         comes, in_use = LABORATORY not in self._names, self._zone_with_keyboard()
         self._zone = in_use or self._zone
         self._shows_laboratory = laboratory and not in_use and (comes or self._shows_laboratory)
-        self._names = names
+        self._names, self._marks = names, {}
         with QSignalBlocker(self._tabs):
             while self._tabs.count():
                 self._tabs.removeTab(0)
@@ -119,7 +120,8 @@ class Column(QWidget):
 
     def mark(self, name: str, colour: Rgb | None, text: str) -> None:
         """Put a dot on a zone's tab, and say why; take it away without a colour."""
-        if name in self._names:
+        if name in self._names and self._marks.get(name, (None, "")) != (colour, text):
+            self._marks[name] = colour, text
             number = self._names.index(name)
             self._tabs.setTabIcon(number, QIcon() if colour is None else _dot(colour, self.devicePixelRatioF()))
             self._tabs.setTabToolTip(number, text)

@@ -44,8 +44,7 @@ class FieldShell:
 
     def _field(self) -> NumberField | None:
         place = current_place(self._store.state)
-        found = (zone.fields[place] for zone in self._layout.field_zones if place in zone.fields)
-        return next(found, None)
+        return None if place is None else self._layout.zones.field_at(place)
 
     def _show_menu(self, request: requests.FieldMenuAsked) -> None:
         """Show the commands for the field, and those for its zone."""

@@ -10,22 +10,20 @@ from qovr_app.laboratory.dock import LaboratoryDock
 from qovr_app.laboratory.floating import FloatingWindow
 from qovr_app.laboratory.panels import PANELS
 from qovr_app.state.editor_state import EditorState
+from qovr_app.state.focus import is_net
 from qovr_app.state.looking_intents import PanelShown, ZonesShown
 from qovr_app.store import Listener, Store
-from qovr_app.style.palette import theme_in_force
 from qovr_app.widgets.number_field import NumberField
+from qovr_app.widgets.seen_part import SeenPart
 from qovr_app.widgets.splitter import LineSplitter
 from qovr_app.window.column import LABORATORY, Column
 from qovr_app.window.room import Dock, Form, Room, room_of
 from qovr_app.window.view_frame import ViewFrame
+from qovr_app.window.zones import Zones
 from qovr_app.work.worker import Worker
-from qovr_app.zones.knots_zone import KnotsZone
 from qovr_app.zones.net_map import NetMap
-from qovr_app.zones.points_zone import PointsZone
-from qovr_app.zones.surface_zone import SurfaceZone
+from qovr_app.zones.tab_marks import tab_mark
 from qovr_app.zones.zone import FieldZone
-from qovr_core.edits import Zone
-from qovr_core.geometry.knots import Direction
 
 _USUAL_TEXT = 13
 """Pixels of the largest text that systems use by themselves; where it is larger, everything needs as much more room."""
@@ -53,24 +51,15 @@ class Layout(LineSplitter):
     def __init__(self, store: Store, worker: Worker, parent: QWidget | None = None) -> None:
         super().__init__("workspace", Qt.Orientation.Horizontal, parent)
         self._store = store
-        self.rows = KnotsZone(Direction.ROWS, store, self)
-        self.columns = KnotsZone(Direction.COLUMNS, store, self)
-        self.points = PointsZone(store, self)
-        self.surface = SurfaceZone(store, self)
+        self.zones = Zones(store, self)
         self.view_frame = ViewFrame(store, self)
         self.laboratory = LaboratoryDock(store, worker, self)
-        self._zones: dict[str, FieldZone | SurfaceZone] = {
-            Zone.ROW_KNOTS: self.rows,
-            Zone.COLUMN_KNOTS: self.columns,
-            Zone.CONTROL_POINTS: self.points,
-            "surface": self.surface,
-        }
         self._map = NetMap(store, self)
-        self.field_zones: tuple[FieldZone, ...] = (self.rows, self.columns, self.points)
-        self._left = self._splitter("left", Qt.Orientation.Vertical, self.rows, self.columns)
-        self._middle = self._splitter("middle", Qt.Orientation.Vertical, self.points, self.surface)
+        self._map_seen = SeenPart(self._map, self._map.show_state, store)
+        self._left = self._splitter("left", Qt.Orientation.Vertical, self.zones.rows, self.zones.columns)
+        self._middle = self._splitter("middle", Qt.Orientation.Vertical, self.zones.points, self.zones.surface)
         self._columns = self._splitter("columns", Qt.Orientation.Horizontal, self._left, self._middle)
-        self._column = Column(self._zones, self._columns, self._map, self)
+        self._column = Column(self.zones.by_name, self._columns, self._map, self)
         self._view_side = self._splitter("laboratory", Qt.Orientation.Vertical, self.view_frame, self.laboratory)
         self._view_side.setChildrenCollapsible(False)
         self._view_side.setStretchFactor(0, 1)
@@ -87,8 +76,8 @@ class Layout(LineSplitter):
     @property
     def shows(self) -> tuple[Listener, ...]:
         """What shows states in every part, the view first: what is waited for is its frame."""
-        zones = (zone.show_state for zone in self._zones.values())
-        return (self.view_frame.show_state, self.laboratory.show_state, *zones, self._map.show_state, self._show_state)
+        beside_view = (*self.zones.shows, self._map_seen.show_state)
+        return (self.view_frame.show_state, self.laboratory.show_state, *beside_view, self._show_state)
 
     def commit_typed(self) -> None:
         """Take what is typed in the field that has the keyboard, as leaving the field would."""
@@ -97,12 +86,8 @@ class Layout(LineSplitter):
             widget.commit()
 
     def current_zone(self) -> FieldZone:
-        """Return the zone of fields that has the keyboard; where none has, the one seen alone, or the points."""
-        widget = QApplication.focusWidget()
-        for zone in self.field_zones:
-            if (widget is not None and zone.isAncestorOf(widget)) or self._column.current == zone.zone:
-                return zone
-        return self.points
+        """Return the zone of fields that is meant: see ``Zones.current``."""
+        return self.zones.current(self._column.current)
 
     def focus_part(self, name: str) -> None:
         """Bring the keyboard to a zone, which is then seen, or to the view."""
@@ -112,7 +97,7 @@ class Layout(LineSplitter):
         self._store.dispatch(ZonesShown(are_shown=True))
         self._store.flush()
         self._column.bring(name)
-        self._zones[name].focus_first()
+        self.zones.by_name[name].focus_first()
         if (focused := QApplication.focusWidget()) is not None:
             self._column.bring_into_sight(focused)
 
@@ -139,6 +124,7 @@ class Layout(LineSplitter):
         self._arrange()
 
     def _show_state(self, before: EditorState | None, after: EditorState) -> None:
+        self._map.setVisible(is_net(after))
         if after.differs(before, "shows_zones", "panel", "display"):
             self._arrange()
         if before is not None and after.panel and after.panel != before.panel:
@@ -176,7 +162,7 @@ class Layout(LineSplitter):
         """Take up an arrangement, with the sizes that it had last."""
         vertical, horizontal = Qt.Orientation.Vertical, Qt.Orientation.Horizontal
         self._middle.setOrientation(horizontal if room.is_below else vertical)
-        for zone in self.field_zones:
+        for zone in self.zones.of_fields:
             for field in zone.fields.values():
                 field.set_least_text(zone.longest if room.has_all_digits else "")
         self._column.keep_width(is_kept=room.has_all_digits)
@@ -200,8 +186,8 @@ class Layout(LineSplitter):
             return [_VIEW, round(room.laboratory * scale)]
         parts: dict[LineSplitter, tuple[QWidget, QWidget]] = {
             self._columns: (self._left, self._middle),
-            self._left: (self.rows, self.columns),
-            self._middle: (self.points, self.surface),
+            self._left: (self.zones.rows, self.zones.columns),
+            self._middle: (self.zones.points, self.zones.surface),
         }
         hints = [part.sizeHint() for part in parts[splitter]]
         is_row = splitter.orientation() is Qt.Orientation.Horizontal
@@ -231,13 +217,8 @@ class Layout(LineSplitter):
 
     def _mark_zones(self) -> None:
         """Say on the tabs which zones hold what was refused, or is not set."""
-        state, theme = self._store.shown, theme_in_force()
-        for zone in self.field_zones:
-            bad = sum(bool(field.error) for field in zone.fields.values())
-            pending = sum(state.is_pending(place) for place in zone.fields)
-            colour = theme.bad if bad else theme.pending if pending else None
-            said = f"{bad} refused" if bad else f"{pending} not set" if pending else ""
-            self._column.mark(zone.zone, colour, said)
+        for zone in self.zones.of_fields:
+            self._column.mark(zone.zone, *tab_mark(zone, self._store.shown))
 
     def _splitter(self, name: str, orientation: Qt.Orientation, *parts: QWidget) -> LineSplitter:
         splitter = LineSplitter(f"splitter.{name}", orientation, self)

@@ -171,7 +171,8 @@ class MainWindow(QMainWindow):
             self._preferences.note_tools(before.tools, after.tools)
         if after.differs(before, "history", "file", "draft", "texts"):
             self.setWindowTitle(f"{title_text(after.file.title)}[*] - {NAME}")
-            self.setWindowModified(after.is_changed)
+            if after.is_changed is not self.isWindowModified():  # Qt would tell the window manager at every edit
+                self.setWindowModified(after.is_changed)
 
     # Coming and going
 

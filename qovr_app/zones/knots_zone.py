@@ -27,12 +27,13 @@ from qovr_app.zones.headings import Headings
 from qovr_app.zones.knot_notes import KnotNotes, five_curves, shared_words
 from qovr_app.zones.knot_slider import KnotSlider
 from qovr_app.zones.knot_transformations import KnotTransformations
+from qovr_app.zones.net_facts import structure_of
 from qovr_app.zones.zone import FieldZone, no_place
 from qovr_core import Document, Knots
 from qovr_core.checks import checked_knot
 from qovr_core.edits import Place, Zone, knots_of
 from qovr_core.geometry.folding import forward_range
-from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace
+from qovr_core.geometry.knots import KNOT_NAMES, Direction, KnotPlace, KnotTable
 from qovr_core.geometry.windows import NET_SIZE
 from qovr_core.number_texts import knot_step
 
@@ -86,11 +87,22 @@ class KnotsZone(FieldZone):
         if before is not None and before.document.joints != after.document.joints:
             for place, field in self.fields.items():
                 field.set_tip(self._tip(place, after.document))
-        if after.differs(before, "document", "draft", "window"):
+        if before is None or self._noted(before) != self._noted(after):
             curves = five_curves(after.draft, self._direction, after.window)
             self._show_effects(KnotNotes(self._direction, after.document, after.window, curves))
-        if after.differs(before, "draft", "fields", "links", "window"):
+        if before is None or self._slid(before) != self._slid(after):
             self._show_slider(after)
+
+    def _noted(self, state: EditorState) -> tuple[object, ...]:
+        """Return what the notes depend on; most edits leave it as it is."""
+        return self._knots(state), structure_of(state.document), state.window
+
+    def _slid(self, state: EditorState) -> tuple[object, ...]:
+        """Return what the slider and its caption depend on."""
+        return self._knots(state), state.fields, state.links, state.window
+
+    def _knots(self, state: EditorState) -> KnotTable:
+        return knots_of(state.draft, self._direction)
 
     def _show_effects(self, notes: KnotNotes) -> None:
         """Mark the knots without effect, and those whose curve folds back."""

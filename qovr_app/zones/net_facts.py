@@ -9,6 +9,11 @@ from qovr_core.geometry.windows import NET_SIZE, STEP
 from qovr_core.joints import Joint
 
 
+def structure_of(document: Document) -> tuple[object, ...]:
+    """Return what is said of a net as a whole, and which no move of a point or a knot changes."""
+    return document.windows, document.joints, document.closed, document.formulation
+
+
 def joint_before(document: Document, direction: Direction, window: int) -> Joint | None:
     """Return the joint at which a window begins along the curves of a direction; None where the net begins there."""
     joints = document.joints.along(direction)

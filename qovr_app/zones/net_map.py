@@ -7,7 +7,7 @@ from PySide6.QtGui import QColor, QHelpEvent, QKeyEvent, QMouseEvent, QPainter, 
 from PySide6.QtWidgets import QSizePolicy, QToolTip, QWidget
 
 from qovr_app.state.editor_state import EditorState
-from qovr_app.state.focus import beside, is_net
+from qovr_app.state.focus import beside
 from qovr_app.state.looking_intents import WindowFocused
 from qovr_app.state.names import window_words
 from qovr_app.store import Store
@@ -16,7 +16,7 @@ from qovr_app.style.fonts import small_number_font
 from qovr_app.style.palette import theme_in_force
 from qovr_app.style.theme import Rgb
 from qovr_app.widgets.parts import named
-from qovr_app.zones.net_facts import joint_before, joints_text, net_text, points_text
+from qovr_app.zones.net_facts import joint_before, joints_text, net_text, points_text, structure_of
 from qovr_core import Document
 from qovr_core.document import Window
 from qovr_core.edits import knots_of
@@ -65,13 +65,15 @@ class NetMap(QWidget):
         return self._store.shown.document
 
     def show_state(self, before: EditorState | None, after: EditorState) -> None:
-        """Show the windows of a net; of a single window there is no map."""
-        if not after.differs(before, "document", "window"):
-            return
-        if before is None or before.document.windows != after.document.windows:
-            self.setVisible(is_net(after))
-            self.updateGeometry()
+        """Show the windows of a net."""
         document = after.document
+        if before is not None and (structure_of(before.document), before.window) == (
+            structure_of(document),
+            after.window,
+        ):
+            return
+        if before is None or before.document.windows != document.windows:
+            self.updateGeometry()
         said = (
             window_words(after.window, document.windows),
             points_text(after.window),

@@ -18,7 +18,7 @@ from qovr_app.widgets.number_table import NumberTable
 from qovr_app.widgets.parts import MARGINS, CompactButton, Note, symbol, title_html
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.zones.gestures import dispatch_gestures
-from qovr_app.zones.net_facts import net_note
+from qovr_app.zones.net_facts import net_note, structure_of
 from qovr_app.zones.samples_field import SamplesField
 from qovr_core import FORMULATIONS, Document, Evaluation
 
@@ -74,11 +74,13 @@ class SurfaceZone(QFrame):
         if before is not None and before.file.opening != after.file.opening:
             for field in self._samples:
                 field.revert()
-        if after.differs(before, "document") or self._has_reported:
+        document, structure = after.document, structure_of(after.document)
+        is_same = before is not None and structure == structure_of(before.document)
+        if before is None or not is_same or document.samples != before.document.samples or self._has_reported:
             self._has_reported = False
-            self._show_document(after.document)
-        if after.differs(before, "document", "window"):
-            self._net.say(net_note(after.document, after.window) * is_net(after))
+            self._show_document(document)
+        if not is_same or after.differs(before, "window"):
+            self._net.say(net_note(document, after.window) * is_net(after))
         if after.differs(before, "document", "evaluation"):
             self._show_numbers(after.evaluation)
             self._show_stale(after.evaluation, is_stale=after.is_stale)
@@ -121,9 +123,10 @@ class SurfaceZone(QFrame):
             self._say("", "")
 
     def _say(self, text: str, why: str) -> None:
-        self._state.setText(text)
-        self._state.setToolTip(why)
-        self._state.setAccessibleDescription(why)
+        if text != self._state.text():
+            self._state.setText(text)
+            self._state.setToolTip(why)
+            self._state.setAccessibleDescription(why)
 
     def _samples_field(self, parameter: str) -> SamplesField:
         field = SamplesField(parameter, self)

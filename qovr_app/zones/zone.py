@@ -57,11 +57,15 @@ class FieldZone(QFrame):
             self._turn_to(after)
         if after.differs(before, "document", "draft", "window") or self._has_reported:
             self._has_reported = False
-            for place, field in self.fields.items():
-                value = value_at(after.draft, place)
-                field.show_value(value, is_unset=value != value_at(after.document, place))
+            self._show_values(after)
         if after.differs(before, "document", "draft", "texts", "window"):
             self._count_pending()
+
+    def _show_values(self, state: EditorState) -> None:
+        draft, document = state.draft, state.document
+        for place, field in self.fields.items():
+            value = value_at(draft, place)
+            field.show_value(value, is_unset=draft is not document and value != value_at(document, place))
 
     def _turn_to(self, state: EditorState) -> None:
         """Let the fields stand for the numbers of the window in focus."""
@@ -199,7 +203,8 @@ class FieldZone(QFrame):
 
     def _on_text_owned(self, place: Place, field: NumberField) -> None:
         before = self._store.state.texts
-        self._store.dispatch(TextTyped(place, field.text() if field.has_own_text else None))
+        if field.has_own_text or place in before:
+            self._store.dispatch(TextTyped(place, field.text() if field.has_own_text else None))
         if self._store.state.texts is not before:
             self._count_pending()
 
@@ -226,7 +231,7 @@ class FieldZone(QFrame):
 
     def _count_pending(self) -> None:
         state = self._store.state
-        count = sum(map(state.is_pending, self.fields)) if has_window(state.document, self.shown_window) else 0
+        count = state.count_pending(self.fields) if has_window(state.document, self.shown_window) else 0
         self._set.set_due(count > 0)
         self._count.setText(f"{count} not set" if count else "")
 
