@@ -142,7 +142,7 @@ class GeometryPlot(Plot):
         pixels, box = self._frame(seen_points(curve, plane))
         to_pixels = pixels.__mul__
         places = named_places(curve, plane, to_pixels)
-        centres = name_centres(curve, plane, to_pixels, sizes, gap=_RING / 2, box=box)
+        centres = name_centres(curve, plane, places, to_pixels, sizes, gap=_RING / 2, box=box)
         for text, place, (across, up) in zip(texts, places, (centres - places * pixels) / sizes, strict=True):
             text.setPos(*place)
             text.setAnchor((0.5 - across, 0.5 + up))

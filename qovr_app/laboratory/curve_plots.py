@@ -109,10 +109,11 @@ class CurvePlots(QWidget):
 
     def show_curve(self, curve: OneCurve, formulation: Formulation, view: View) -> None:
         """Show a curve in a plane, as a formulation uses it."""
-        self._shown = curve, formulation
+        before, self._shown = self.curve, (curve, formulation)
         self._geometry.show_curve(curve, view)
-        self._blends.show_weights(curve.blends(SAMPLES), curve.knots.u)
-        self._weights.show_weights(curve.weights(SAMPLES), curve.knots.u)
+        if before is None or (before.knots, before.decimals) != (curve.knots, curve.decimals):  # a point moves none
+            self._blends.show_weights(curve.blends(SAMPLES), curve.knots.u)
+            self._weights.show_weights(curve.weights(SAMPLES), curve.knots.u)
         self._transformations.show_part(curve)
         self._show_hover(None)
 

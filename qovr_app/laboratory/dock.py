@@ -25,7 +25,7 @@ from qovr_app.store import Store
 from qovr_app.style.spacing import SPACE
 from qovr_app.widgets.narrow_tabs import NarrowTabs
 from qovr_app.widgets.parts import named
-from qovr_app.widgets.seen_part import SLOW_PAUSE, SeenPart
+from qovr_app.widgets.seen_part import SeenPart
 from qovr_app.widgets.wheel import guard_from_wheels
 from qovr_app.work.worker import Worker
 
@@ -96,7 +96,7 @@ class LaboratoryDock(QWidget):
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(panel)
         self._stack.addWidget(area)
-        self._seen[record.name] = SeenPart(panel, panel.show_state, self._store, pause=SLOW_PAUSE)
+        self._seen[record.name] = SeenPart(panel, panel.show_state, self._store, is_slow=True)
         return panel
 
     def _make_tabs(self) -> NarrowTabs:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import numpy as np
 from PySide6.QtGui import QColor
@@ -45,11 +46,14 @@ class FalloffPlot(Plot):
         self.getPlotItem().layout.setContentsMargins(0, _TOP_MARGIN, 0, 0)
         self._shown: tuple[Influence, Falloff] | None = None
         self._is_logarithmic = False
-        self._samples = self.plot(pen=None, symbol="o", symbolSize=_DOT_PIXELS, symbolPen=None)
-        self.exponential = self.plot()
-        self.envelope = self.plot()
+        self._samples = self._series(pen=None, symbol="o", symbolSize=_DOT_PIXELS, symbolPen=None)
+        self.exponential, self.envelope = self._series(), self._series()
         self._reading = self.make_upright()
         self._reading.setVisible(False)
+
+    def _series(self, **style: Any) -> Series:
+        """Return a new series; what lies far outside the range is not cut, or each range would draw all anew."""
+        return self.plot(dynamicRangeLimit=None, **style)
 
     @property
     def legend(self) -> tuple[str, str]:

@@ -8,11 +8,8 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.state.editor_state import EditorState
 from qovr_app.store import Listener, Store
 
-SLOW_PAUSE = 60
-"""Milliseconds between two states of a gesture that a part is told whose drawing takes longer than the surface's."""
-
-_LATEST = 80
-"""Milliseconds after which it is told though no other state has come: with its frame it is never 100 behind."""
+_BEHIND = 90
+"""Milliseconds that what is slow shows the same during a gesture, at most: with its frame it is never 100 behind."""
 
 
 class SeenPart(QObject):
@@ -26,14 +23,14 @@ class SeenPart(QObject):
     part : the widget
     show : shows a state in it, after the one that it was told last
     store : whose states these are
-    pause : milliseconds that it is left alone after a state while a gesture is in hand
+    is_slow : whether it takes as long as the surface itself: during a gesture it is told no more often than it must
     """
 
-    def __init__(self, part: QWidget, show: Listener, store: Store, *, pause: int = 0) -> None:
+    def __init__(self, part: QWidget, show: Listener, store: Store, *, is_slow: bool = False) -> None:
         super().__init__(part)
-        self._part, self._show, self._store, self._pause = part, show, store, pause
+        self._part, self._show, self._store, self._is_slow = part, show, store, is_slow
         self._told: EditorState | None = None
-        self._since = QElapsedTimer()
+        self._since_told, self._since_state = QElapsedTimer(), QElapsedTimer()
         self._due = QTimer(self, singleShot=True)
         self._due.timeout.connect(self.tell)
         part.installEventFilter(self)
@@ -42,11 +39,16 @@ class SeenPart(QObject):
         """Tell the part a state, unless it is not seen, or has been told one just now."""
         if self._told is not None and not self._is_seen():
             return
-        gone = self._since.elapsed() if self._since.isValid() else self._pause
-        if after.gesture is None or gone >= self._pause:
+        if self._told is None or not self._is_slow or after.gesture is None or self._has_come_to_the_last():
             self.tell()
         elif not self._due.isActive():
-            self._due.start(max(_LATEST - gone, 0))
+            self._due.start(_BEHIND - self._since_told.elapsed())
+
+    def _has_come_to_the_last(self) -> bool:
+        """Whether the part would be too far behind with the next state, if that comes as this one came."""
+        gone, period = self._since_told.elapsed(), self._since_state.elapsed() if self._since_state.isValid() else 0
+        self._since_state.start()
+        return gone + period >= _BEHIND
 
     def tell(self) -> None:
         """Tell the part what is shown now, seen or not."""
@@ -54,7 +56,7 @@ class SeenPart(QObject):
         self._due.stop()
         if before is not after:
             self._told = after
-            self._since.start()
+            self._since_told.start()
             self._show(before, after)
 
     def eventFilter(self, _watched: QObject, event: QEvent) -> bool:

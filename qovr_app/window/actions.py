@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import NamedTuple
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QAction, QActionGroup, QKeySequence
@@ -15,6 +16,15 @@ from qovr_app.widgets.plain import menu_text, plain_tip
 from qovr_app.window.commands import Command
 
 
+class _Marks(NamedTuple):
+    """What a state makes of a command."""
+
+    is_shown: bool
+    is_enabled: bool
+    is_checked: bool
+    noun: str
+
+
 class Actions(QObject):
     """An action for every command; pressing one dispatches its intent, and nothing else ever sets its mark.
 
@@ -25,6 +35,7 @@ class Actions(QObject):
         super().__init__(parent)
         self.commands, self.store = tuple(commands), store
         self.used: list[str] = []
+        self._marks: dict[str, _Marks] = {}
         self._groups: dict[str, QActionGroup] = {}
         self._actions = {command.name: self._action(command) for command in self.commands}
 
@@ -39,20 +50,13 @@ class Actions(QObject):
         """Let shortcuts of a single key act while a widget, or a part of it, has the keyboard."""
         widget.addActions([action for action in self._actions.values() if is_single_key(action.shortcut())])
 
-    def show_state(self, _before: EditorState | None, state: EditorState) -> None:
-        """Bring check marks, enabled and the texts that say a noun to a state."""
+    def show_state(self, before: EditorState | None, state: EditorState) -> None:
+        """Bring check marks, enabled and the texts that say a noun to a state; all of them without one before."""
         for command in self.commands:
-            action = self._actions[command.name]
-            action.setVisible(command.is_shown(state))
-            is_enabled = command.is_enabled(state)
-            action.setEnabled(is_enabled)
-            if command.needs:
-                tip = action.statusTip()
-                action.setToolTip(tip if is_enabled else f"{tip}.\n{command.needs}.")
-            if command.is_checked is not None:
-                action.setChecked(command.is_checked(state))
-            if command.noun is not None:
-                _name(action, command.text, command.noun(state))
+            marks = _marks_of(command, state)
+            if before is None or marks != self._marks[command.name]:
+                self._marks[command.name] = marks
+                _mark(self._actions[command.name], command, marks)
 
     def _action(self, command: Command) -> QAction:
         action = QAction(command.text, self.parent())
@@ -75,6 +79,27 @@ class Actions(QObject):
         self.store.dispatch(command.intent(self.store.state))
         # Qt has turned the mark by itself, and a refused intent leaves the state as it was.
         self.show_state(None, self.store.state)
+
+
+def _marks_of(command: Command, state: EditorState) -> _Marks:
+    return _Marks(
+        command.is_shown(state),
+        command.is_enabled(state),
+        command.is_checked is not None and command.is_checked(state),
+        "" if command.noun is None else command.noun(state),
+    )
+
+
+def _mark(action: QAction, command: Command, marks: _Marks) -> None:
+    action.setVisible(marks.is_shown)
+    action.setEnabled(marks.is_enabled)
+    if command.needs:
+        tip = action.statusTip()
+        action.setToolTip(tip if marks.is_enabled else f"{tip}.\n{command.needs}.")
+    if command.is_checked is not None:
+        action.setChecked(marks.is_checked)
+    if command.noun is not None:
+        _name(action, command.text, marks.noun)
 
 
 def is_single_key(keys: QKeySequence) -> bool:

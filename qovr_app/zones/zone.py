@@ -57,15 +57,12 @@ class FieldZone(QFrame):
             self._turn_to(after)
         if after.differs(before, "document", "draft", "window") or self._has_reported:
             self._has_reported = False
-            self._show_values(after)
+            draft, document = after.draft, after.document
+            for place, field in self.fields.items():
+                value = value_at(draft, place)
+                field.show_value(value, is_unset=draft is not document and value != value_at(document, place))
         if after.differs(before, "document", "draft", "texts", "window"):
             self._count_pending()
-
-    def _show_values(self, state: EditorState) -> None:
-        draft, document = state.draft, state.document
-        for place, field in self.fields.items():
-            value = value_at(draft, place)
-            field.show_value(value, is_unset=draft is not document and value != value_at(document, place))
 
     def _turn_to(self, state: EditorState) -> None:
         """Let the fields stand for the numbers of the window in focus."""

@@ -104,6 +104,6 @@ def add_names(axes: Any, plane: Plane, curve: OneCurve, names: Sequence[str]) ->
     sizes = np.array([label.get_window_extent().size for label in labels])
     per_point = axes.figure.dpi / 72
     gap, box = _GAP_POINTS * per_point, axes.bbox.get_points()
-    centres = name_centres(curve, plane, to_pixels, sizes, gap=gap, box=box)
+    centres = name_centres(curve, plane, places, to_pixels, sizes, gap=gap, box=box)
     for label, offset in zip(labels, (centres - to_pixels(places)) / per_point, strict=True):
         label.set_position(tuple(offset))

@@ -44,14 +44,22 @@ def named_places(curve: OneCurve, plane: Plane, to_pixels: Callable[[Array], Arr
 
 
 def name_centres(
-    curve: OneCurve, plane: Plane, to_pixels: Callable[[Array], Array], sizes: Array, *, gap: float, box: Array
+    curve: OneCurve,
+    plane: Plane,
+    named: Array,
+    to_pixels: Callable[[Array], Array],
+    sizes: Array,
+    *,
+    gap: float,
+    box: Array,
 ) -> Array:
     """Return where the centres of the names lie, clear of lines, discs and each other.
 
     Parameters
     ----------
-    to_pixels : as for ``named_places``
-    sizes : (8, 2) widths and heights of the names in pixels, in the order of ``named_places``
+    named : (8, 2) the places that ``named_places`` returns for the same curve, plane and ``to_pixels``
+    to_pixels : as there
+    sizes : (8, 2) widths and heights of the names in pixels, in the order of ``named``
     gap : pixels between a name and its place
     box : (2, 2) lower left and upper right corner of the drawing in pixels
 
@@ -59,7 +67,7 @@ def name_centres(
     -------
     (8, 2) float64, in pixels
     """
-    places = to_pixels(named_places(curve, plane, to_pixels))
+    places = to_pixels(named)
     count = len(curve.points)
     points, middle = places[:count], to_pixels(plane.drawn(curve.at(SAMPLES))).mean(axis=0)
     ends = np.pad(points, ((1, 1), (0, 0)), mode="edge")

@@ -14,6 +14,9 @@ _SIDES = np.array([(x, y) for x in (-1, 0, 1) for y in (-1, 0, 1) if (x, y) != (
 _REACHES = (1.0, 3.0)
 """A label is tried at its gap, and where that is crowded at this many gaps."""
 
+_MORE = 1.01
+"""So much farther than a label can reach, points of a line are looked at: rounding leaves out none that it covers."""
+
 _FARTHER, _TURNED, _HIDDEN = 3.0, 3.0, 1000.0
 """What counts as much as covering so many points of a line: lying farther off, lying on the side opposite to that
 wanted, and covering another label or leaving the drawing."""
@@ -52,8 +55,8 @@ def label_places(values: npt.ArrayLike) -> Indices:
 
 def free_place(own: Array, others: Array) -> int:
     """Return the number of the point on a line, (n, 2), that is farthest from all of some others, (m, 2)."""
-    gaps = np.linalg.norm(own[:, None] - others[None], axis=2).min(axis=1)
-    return int(np.argmax(gaps))
+    x, y = (own[:, None, k] - others[None, :, k] for k in range(2))
+    return int(np.argmax(np.sqrt((x * x + y * y).min(axis=1))))
 
 
 def place_labels(places: Array, sizes: Array, wanted: Array, lines: Array, *, gap: float, box: Array) -> Array:
@@ -77,7 +80,8 @@ def place_labels(places: Array, sizes: Array, wanted: Array, lines: Array, *, ga
     for k, (place, size) in enumerate(zip(places, sizes, strict=True)):
         tried = np.concatenate([place + _SIDES * (size / 2 + reach * gap) for reach in _REACHES])
         cost = np.repeat([0.0, _FARTHER], len(_SIDES)) + np.tile(_TURNED * _turn(wanted[k]), len(_REACHES))
-        cost += _inside(lines, tried, size / 2).sum(axis=1)
+        at_hand = _inside(lines, place[None], _MORE * (size + _REACHES[-1] * gap))[0]
+        cost += _inside(lines[at_hand], tried, size / 2).sum(axis=1)
         for centre, other in others:
             cost += _HIDDEN * _inside(centre[None], tried, (size + other) / 2)[:, 0]
         cost += _HIDDEN * ((tried - size / 2 < box[0]) | (tried + size / 2 > box[1])).any(axis=1)
@@ -96,5 +100,5 @@ def _turn(wanted: Array) -> Array:
 
 def _inside(points: Array, centres: Array, halves: Array) -> Flags:
     """Return for every centre which points lie within a rectangle around it, (centres, points)."""
-    within = np.abs(points[None] - centres[:, None]) < halves
-    return np.asarray(within.all(axis=2))
+    x, y = (np.abs(points[None, :, k] - centres[:, None, k]) < halves[k] for k in range(2))
+    return np.asarray(x & y)
