@@ -96,7 +96,7 @@ class LaboratoryDock(QWidget):
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(panel)
         self._stack.addWidget(area)
-        self._seen[record.name] = SeenPart(panel, panel.show_state, self._store, is_slow=True)
+        self._seen[record.name] = SeenPart(panel, panel.show_state, self._store)
         return panel
 
     def _make_tabs(self) -> NarrowTabs:

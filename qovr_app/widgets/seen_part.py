@@ -8,47 +8,43 @@ from PySide6.QtWidgets import QWidget
 from qovr_app.state.editor_state import EditorState
 from qovr_app.store import Listener, Store
 
-_BEHIND = 90
-"""Milliseconds that what is slow shows the same during a gesture, at most: with its frame it is never 100 behind."""
+BEHIND = 90
+"""Milliseconds that a part shows the same during a gesture, at most: with its frame it is never 100 behind."""
 
 
 class SeenPart(QObject):
     """Tells a part of the window what it shows while it can be seen; else it costs nothing, whatever is edited.
 
     It is told once at first, and again whenever it is about to be painted and something has changed since: behind
-    another tab, in a place that is closed or pushed together, scrolled out of sight, in a minimised window.
+    another tab, in a place that is closed or pushed together, scrolled out of sight, in a minimised window. During a
+    gesture, in which every state has a frame of its own, it is told no more often than it must.
 
     Parameters
     ----------
     part : the widget
     show : shows a state in it, after the one that it was told last
     store : whose states these are
-    is_slow : whether it takes as long as the surface itself: during a gesture it is told no more often than it must
     """
 
-    def __init__(self, part: QWidget, show: Listener, store: Store, *, is_slow: bool = False) -> None:
+    def __init__(self, part: QWidget, show: Listener, store: Store) -> None:
         super().__init__(part)
-        self._part, self._show, self._store, self._is_slow = part, show, store, is_slow
+        self._part, self._show, self._store = part, show, store
         self._told: EditorState | None = None
         self._since_told, self._since_state = QElapsedTimer(), QElapsedTimer()
+        self._since_state.start()
         self._due = QTimer(self, singleShot=True)
         self._due.timeout.connect(self.tell)
         part.installEventFilter(self)
 
     def show_state(self, _before: EditorState | None, after: EditorState) -> None:
-        """Tell the part a state, unless it is not seen, or has been told one just now."""
+        """Tell the part a state now, or later, or when it is seen."""
         if self._told is not None and not self._is_seen():
             return
-        if self._told is None or not self._is_slow or after.gesture is None or self._has_come_to_the_last():
-            self.tell()
+        period = self._since_state.restart()
+        if self._told is None or after.gesture is None or self._since_told.elapsed() + period >= BEHIND:
+            self.tell()  # the next state, if it comes as this one came, would be too late
         elif not self._due.isActive():
-            self._due.start(_BEHIND - self._since_told.elapsed())
-
-    def _has_come_to_the_last(self) -> bool:
-        """Whether the part would be too far behind with the next state, if that comes as this one came."""
-        gone, period = self._since_told.elapsed(), self._since_state.elapsed() if self._since_state.isValid() else 0
-        self._since_state.start()
-        return gone + period >= _BEHIND
+            self._due.start(BEHIND - self._since_told.elapsed())
 
     def tell(self) -> None:
         """Tell the part what is shown now, seen or not."""
