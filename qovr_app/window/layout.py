@@ -129,7 +129,8 @@ class Layout(LineSplitter):
             self._arrange()
         if before is not None and after.panel and after.panel != before.panel:
             self._column.bring(LABORATORY)
-        if after.differs(before, "document", "draft", "texts", "message", "display", "window"):
+        marked = "document", "draft", "texts", "message", "display", "window", "shows_zones", "panel"
+        if after.shows_zones and after.differs(before, *marked):
             self._mark_zones()
 
     def _arrange(self) -> None:
