@@ -108,7 +108,7 @@ def test_it_shows_the_curve_of_the_knot_in_focus(panel):
     assert panel.curve.decimals is None
 
 
-def test_it_follows_every_edit_of_a_drag_once_a_turn(panel):
+def test_it_follows_a_drag_at_most_once_a_turn_and_then_shows_it(panel):
     editor = panel.editor
     editor.field("row_knots.C_4.s").setFocus()
     editor.settle()
@@ -117,7 +117,7 @@ def test_it_follows_every_edit_of_a_drag_once_a_turn(panel):
     draw = geometry.show_curve
     geometry.show_curve = lambda *what: shown.append(None) or draw(*what)
     editor.drag_slider("row_knots.slider", [4, 4, 4, 4, 4, 4])
-    assert 3 <= len(shown) <= 6
+    assert 1 <= len(shown) <= 6
     assert_shows(panel, editor.document, Direction.ROWS, 4)
     assert editor.document.row_knots[4, 0].s > 0.6
 
