@@ -94,7 +94,7 @@ def test_it_is_live(lab):
 def test_a_surface_that_is_older_than_the_net_is_not_mixed_with_it(lab):
     lab.trigger("live")
     focus(lab, "control_points.P_2_2.z")
-    lab.dispatch(PointsMoved(((2, 2),), ((0.0, 0.0, 0.4),), 1))
+    lab.dispatch(PointsMoved(((2, 2),), ((0.0, 0.0, 0.4),)))
     lab.settle()
     expected = influence(lab.document, PointMove(2, 2, (0, 0, 0.57)), Layer.TRANSFORMED)
     assert lab.document.control_points[2, 2, 2] == 0.9
