@@ -63,8 +63,7 @@ def facing(scene, camera, u, v):
 
 
 @pytest.mark.parametrize("camera", CAMERAS, ids=str)
-@pytest.mark.parametrize("layer", [Layer.RAW, Layer.TRANSFORMED])
-@pytest.mark.parametrize("name", ["fig6c", "fig8"])
+@pytest.mark.parametrize(("name", "layer"), [("fig6c", Layer.RAW), ("fig8", Layer.TRANSFORMED)])
 def test_the_parameters_under_a_projected_point_are_its_own(name, layer, camera):
     scene = scene_of(set_formulation(preset(name).document, "interpolating"), layer)
     shown = 0
