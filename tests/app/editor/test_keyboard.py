@@ -31,7 +31,7 @@ def test_tab_reaches_every_control_of_the_zones(editor):
 
 def test_tab_goes_as_the_eye_goes(editor):
     """Within a zone every stop is right of the one before or below it."""
-    for zone in (editor.window.parts.rows, editor.window.parts.columns):
+    for zone in (editor.window.parts.zones.rows, editor.window.parts.zones.columns):
         stops = [widget for widget in tab_stops(editor, 150) if zone.isAncestorOf(widget)]
         places = [widget.mapTo(zone, QPoint(0, widget.height() // 2)) for widget in stops]
         for before, after in itertools.pairwise(places):
@@ -56,7 +56,7 @@ def test_every_action_is_in_a_menu_with_a_letter_to_reach_it(editor):
         walk(action.menu())
     named = {action for action in editor.window.findChildren(QAction) if action.objectName()}
     assert {a.objectName() for a in named - reached if not a.objectName().startswith("menu.")} == set()
-    for button in editor.window.parts.surface.findChildren(QPushButton):
+    for button in editor.window.parts.zones.surface.findChildren(QPushButton):
         assert button.focusPolicy() & Qt.FocusPolicy.TabFocus
 
 
