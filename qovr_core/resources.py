@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from importlib.util import find_spec
 from pathlib import Path
-
-import qovr_resources
 
 
 def resource(*names: str) -> Path:
     """Return the path of an installed file, by the names of its folder and its own."""
-    return Path(qovr_resources.__file__).parent.joinpath(*names)
+    package = find_spec("qovr_resources")
+    assert package  # the folder ``resources`` is installed by this name
+    return Path(str(package.origin)).parent.joinpath(*names)
