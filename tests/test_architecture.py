@@ -199,4 +199,4 @@ def test_every_headless_command_runs_without_qt(command, tmp_path, monkeypatch):
 def test_state_and_store_are_made_without_qt(tmp_path):
     modules = [module for module in PATHS if f"{module}.".startswith(("qovr_app.state.", "qovr_app.store."))]
     loaded = loaded_by("\n".join(f"import {module}" for module in modules), tmp_path)
-    assert loaded == {"qovr_app", "qovr_core", "qovr_resources", "numpy"}
+    assert loaded == {"qovr_app", "qovr_core", "numpy"}
