@@ -1,6 +1,7 @@
 """OpenGL itself: its functions as Qt finds them for the context that is current, and its constants.
 
-The functions keep Python's lock: given up at each of a frame's calls, it would come back late beside a busy thread.
+No binding is used: PyOpenGL takes a tenth of a second to import and gives Python's lock up at each of a frame's calls,
+which comes back late beside a busy thread; of PySide6's the functions that fill buffers are missing.
 """
 
 from __future__ import annotations
