@@ -228,8 +228,13 @@ class Editor:
         self.settle()
 
     def disagreements(self):
-        """Return the fields that show something else than the document and do not look so."""
-        wrong = []
+        """Return the fields that show something else than the document and do not look so.
+
+        Those behind a tab show an older state until they are seen, or asked.
+        """
+        zones, wrong = self.window.parts.zones, []
+        for zone in zones.of_fields:
+            zones.told(zone)
         for place in (*ROW_FIELDS, *COLUMN_FIELDS, *POINT_FIELDS):
             field = self.field(name_of(place))
             is_same = not field.has_own_text and float(field.text()) == value_at(self.document, place)

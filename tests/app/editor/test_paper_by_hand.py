@@ -52,7 +52,7 @@ def test_a_case_typed_by_hand_exports_the_papers_numbers(staged, home, name):
     document = preset(name).document
     type_by_hand(staged, document)
     assert staged.document == document
-    assert not staged.find("surface.export").isEnabled()
+    assert not staged.reach("surface.export").isEnabled()
     staged.click("surface.configure")
     staged.export_to(home / "by_hand.xlsx")
     numbers, surface = read_published_numbers(home / "by_hand.xlsx"), configure(document)

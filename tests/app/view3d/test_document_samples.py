@@ -5,7 +5,7 @@ import pytest
 
 from qovr_app.state.display import ColourMap, LayerChoice, Style
 from qovr_app.style.colour_maps import colours_of
-from qovr_app.view3d.gl import api
+from qovr_app.view3d.gl import api, mark_rows
 from qovr_app.view3d.interaction.picking import points_under
 from qovr_app.view3d.scene.grid import Grid
 from qovr_app.view3d.scene.probing import parameters_under
@@ -123,16 +123,20 @@ def test_all_samples_are_drawn_while_a_point_is_moved(make_view, document):
 
 
 def test_an_edit_brings_only_places_to_the_driver(make_view, document, monkeypatch):
-    """Neither triangles, nor normals, nor values of heights."""
+    """Neither triangles, nor normals, nor values of heights; beside them there are only marks."""
     document = set_samples(document, (41, 31))
     view = make_view(document, layer=LayerChoice.RAW, document_samples=True).view
     brought = []
     load = api.load_attributes
+
+    def note_and_load(buffer, values, widths, **more):
+        if widths != mark_rows.WIDTHS:
+            brought.append(values.nbytes)
+        load(buffer, values, widths, **more)
+
     monkeypatch.setattr(api, "load_indices", lambda *_: brought.append("indices"))
     monkeypatch.setattr(api, "load_values", lambda *_: brought.append("values"))
-    monkeypatch.setattr(
-        api, "load_attributes", lambda *args, **more: brought.append(args[1].nbytes) or load(*args, **more)
-    )
+    monkeypatch.setattr(api, "load_attributes", note_and_load)
     change(view, document=set_point(document, 2, 2, (2.0, 2.0, 0.7)))
     view.viewports[0].image()
     assert brought == [41 * 31 * 3 * 4]
