@@ -34,6 +34,7 @@ class Actions(QObject):
     def __init__(self, commands: Sequence[Command], store: Store, parent: QObject) -> None:
         super().__init__(parent)
         self.commands, self.store = tuple(commands), store
+        self._varying = tuple(command for command in self.commands if command.varies)
         self.used: list[str] = []
         self._marks: dict[str, _Marks] = {}
         self._groups: dict[str, QActionGroup] = {}
@@ -52,7 +53,7 @@ class Actions(QObject):
 
     def show_state(self, before: EditorState | None, state: EditorState) -> None:
         """Bring check marks, enabled and the texts that say a noun to a state; all of them without one before."""
-        for command in self.commands:
+        for command in self.commands if before is None else self._varying:
             marks = _marks_of(command, state)
             if before is None or marks != self._marks[command.name]:
                 self._marks[command.name] = marks

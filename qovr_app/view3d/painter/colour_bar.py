@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Hashable, Iterator
+from dataclasses import dataclass, field
 from decimal import Decimal
 
 import numpy as np
@@ -74,9 +74,13 @@ def bar_room(size: Size) -> tuple[float, float, float, float]:
 
 @dataclass(frozen=True)
 class _Bar:
-    """Everything that decides how a colour bar looks; the size is in the bar's own units."""
+    """Everything that decides how a colour bar looks; the size is in the bar's own units.
 
-    colouring: Colouring
+    Bars are alike whose colourings look alike: an edit makes a new colouring, of which mostly the values alone differ.
+    """
+
+    colouring: Colouring = field(compare=False)
+    looks: Hashable
     theme: Theme
     size: Size
 
@@ -99,7 +103,8 @@ def colour_bar(picture: Picture, size: Size) -> Iterator[Mark]:
     units = _in_units(size)
     left = max(0.0, _plain_rect(units).left() - _NOTE_ROOM)
     box = Box(left, 0.0, units[0] - left, units[1])
-    yield Strip(_Bar(colouring, picture.theme, units), box, emphasis(size))
+    looks = colouring.table.tobytes(), colouring.title, colouring.limits, colouring.beyond, colouring.pattern
+    yield Strip(_Bar(colouring, looks, picture.theme, units), box, emphasis(size))
 
 
 def _colours(colouring: Colouring) -> npt.NDArray[np.uint8]:

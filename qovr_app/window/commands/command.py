@@ -50,6 +50,12 @@ class Command:
     begins_part: bool = False
     needs: str = ""
 
+    @property
+    def varies(self) -> bool:
+        """Whether its marks, or the noun in its text, follow the state."""
+        always = self.is_shown is self.is_enabled is _always
+        return not always or self.is_checked is not None or self.noun is not None
+
 
 def asking(intent: Intent) -> Callable[[EditorState], Intent]:
     """Return what asks for the same in every state."""

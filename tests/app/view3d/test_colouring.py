@@ -1,6 +1,7 @@
 """What colours mean: parts, limits, sections of maps, titles, notes, and that nothing is computed twice."""
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -20,7 +21,7 @@ from qovr_core.edits import Direction, KnotPlace, set_formulation
 from qovr_core.fields import FIELDS, Field, field_values
 from qovr_core.layer import Layer
 from qovr_core.presets import preset
-from support.view import grid
+from support.view import choose, grid
 
 GRID = grid(21, 17)
 FIG8 = set_formulation(preset("fig8").document, "interpolating")
@@ -208,3 +209,22 @@ def test_numbers_on_the_bar_leave_room_for_the_title(app, limits):
     colouring = Colouring(colour_table("jet"), "z", limits)
     with painting(image) as painter:
         assert 0 < draw_ticks(painter, QRectF(10, 10, 14, 280), colouring, theme_of("light")) < 40
+
+
+def test_the_bar_is_drawn_again_only_where_it_looks_different(make_view, document):
+    """An edit makes a new colouring, whose limits are held."""
+    from qovr_app.view3d.painter.colour_bar import colour_bar
+
+    view = make_view(document).view
+
+    def bar():
+        return next(colour_bar(view.picture(), (400.0, 300.0)))
+
+    before, colouring = bar(), view.picture().colouring
+    net = document.control_points.copy()
+    net[2, 2, 2] += 1e-3
+    view.display(replace(view.shown, evaluation=Evaluation(replace(document, control_points=net))))
+    assert view.picture().colouring is not colouring
+    assert bar() == before
+    choose(view, colour_range=ColourRange.FIXED, fixed_range=(0.5, 2.0))
+    assert bar() != before
