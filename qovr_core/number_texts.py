@@ -6,6 +6,9 @@ import math
 from collections.abc import Callable, Iterable, Sequence
 from decimal import ROUND_DOWN, Context, Decimal
 
+import numpy as np
+import numpy.typing as npt
+
 MINUS = "\N{MINUS SIGN}"
 MORE_DIGITS = "…"
 """Stands for digits that are left out."""
@@ -45,6 +48,11 @@ _PLACES_KEPT = 10
 
 _SUMMED_DIGITS = 15
 """Digits of a sum after the first one of its larger part; a double has no more that count."""
+
+_SUMMING = Context(prec=_DECIMAL_DIGITS)
+
+_EXACT_POWER = 22
+"""The largest power of ten that a double holds exactly."""
 
 _SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
@@ -196,9 +204,27 @@ def summed(value: float, amount: float) -> float:
     """
     if value == 0 or amount == 0:
         return float(value) + float(amount) + 0.0
-    parts = Decimal(repr(float(value))), Decimal(repr(float(amount)))
-    last = max(part.adjusted() for part in parts) - _SUMMED_DIGITS
-    return float(Context(prec=_DECIMAL_DIGITS).quantize(sum(parts), Decimal(1).scaleb(last))) + 0.0
+    part, other = Decimal(repr(float(value))), Decimal(repr(float(amount)))
+    last = max(part.adjusted(), other.adjusted()) - _SUMMED_DIGITS
+    return float((part + other).quantize(Decimal((0, (1,), last)), context=_SUMMING)) + 0.0
+
+
+def summed_all(values: npt.NDArray[np.float64], amounts: npt.NDArray[np.float64]) -> npt.NDArray[np.float64]:
+    """Return ``summed`` of every value, (k,), with its amount, (k,): the very same numbers.
+
+    Where both are whole numbers of one decimal place and have at most 15 digits, these are their decimals, so their
+    whole sum is exact, and a division by a power of ten that is exact too rounds as reading a text does.
+    """
+    largest = max(np.abs(values).max(initial=0.0), np.abs(amounts).max(initial=0.0))
+    places = _SUMMED_DIGITS - 1 - math.floor(math.log10(largest)) if 0 < largest < math.inf else 0
+    power = 10.0 ** min(max(places, 0), _EXACT_POWER)
+    whole, added = np.rint(values * power), np.rint(amounts * power)
+    result: npt.NDArray[np.float64] = (whole + added) / power + 0.0
+    is_exact = (whole / power == values) & (added / power == amounts)
+    is_exact &= np.maximum(np.abs(whole), np.abs(added)) < 10.0**_SUMMED_DIGITS
+    for k in np.flatnonzero(~is_exact).tolist():
+        result[k] = summed(values[k], amounts[k])
+    return result
 
 
 def true_minus(text: str) -> str:

@@ -16,7 +16,7 @@ from qovr_core.arrays import Array
 from qovr_core.document import NetIndex
 from qovr_core.geometry.knots import Direction
 from qovr_core.net_moves import mirrored, softened
-from qovr_core.number_texts import summed
+from qovr_core.number_texts import summed_all
 from qovr_core.symmetry import make_symmetric
 
 NUDGE_SECONDS = 1.0
@@ -85,8 +85,8 @@ def _moved(
         moves = mirrored(moves, tools.mirror(direction), indices[0])
     field, _ = softened(moves, tools.soft_radius) if is_soft else moves
     result = net.copy()
-    for place in zip(*np.nonzero(field), strict=True):
-        result[place] = summed(net[place], field[place])
+    changed = np.nonzero(field)
+    result[changed] = summed_all(net[changed], field[changed])
     return result
 
 

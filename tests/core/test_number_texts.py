@@ -2,6 +2,7 @@
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -20,6 +21,7 @@ from qovr_core.number_texts import (
     significant_text,
     stepped,
     summed,
+    summed_all,
     tick_texts,
 )
 
@@ -181,6 +183,18 @@ def test_what_is_stepped_is_a_round_decimal(value, count, step, result):
 )
 def test_a_sum_has_the_decimals_of_its_parts(value, amount, total):
     assert summed(value, amount) == summed(amount, value) == total
+
+
+places = st.integers(-24, 4)
+decimals = st.builds(lambda digits, places: float(f"{digits}e{places}"), st.integers(-(10**16), 10**16), places)
+numbers = st.one_of(decimals, st.floats(-1e100, 1e100), st.sampled_from([0.0, -0.0, 1e15, 999999999999999.0, 1e22]))
+
+
+@given(st.lists(st.tuples(numbers, numbers), max_size=8))
+def test_sums_at_once_are_those_one_by_one_to_the_last_bit(pairs):
+    values, amounts = np.array(pairs).reshape(-1, 2).T
+    expected = np.array([summed(value, amount) for value, amount in pairs])
+    assert summed_all(values, amounts).tobytes() == expected.tobytes()
 
 
 @given(st.floats(-1e12, 1e12), st.floats(-1e12, 1e12))
