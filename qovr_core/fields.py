@@ -106,7 +106,7 @@ for _field in (
         "z",
         "&Height",
         "Colours say z, as in the paper's figures",
-        lambda surface, u, v, _: surface.points(u, v)[..., 2],
+        lambda surface, u, v, _: surface.points(u, v)[..., 2].copy(),  # held alone, without x and y
         axis=2,
     ),
     _curvature(

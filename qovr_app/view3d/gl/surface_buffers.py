@@ -68,7 +68,11 @@ class SurfaceBuffers:
         if drawn_patch is patch and drawn_grid == grid:
             return
         if drawn_patch is None or vertices is None or drawn_grid != grid or windows_of(patch) == (1, 1):
-            vertices, is_resized = surface_vertices(patch, grid), drawn_grid != grid
+            is_resized = drawn_grid != grid
+            # What one window had is written over. Of a net the last vertices are read again, also after a failure.
+            if vertices is None or is_resized or windows_of(patch) != (1, 1):
+                vertices = np.empty((*grid.shape, sum(_VERTEX)), dtype=np.float32)
+            surface_vertices(patch, grid, vertices)
             api.load_attributes(self._vertices, vertices, _VERTEX, location=0, is_resized=is_resized)
         else:
             vertices, rows = revised_vertices(vertices, drawn_patch, patch, grid)

@@ -76,7 +76,7 @@ class Colouring:
             parts /= high - low
         else:
             parts[np.isfinite(parts)] = 0.5
-        result = np.clip(parts, -_FARTHEST, _FARTHEST).astype(np.float32)
+        result = np.clip(parts, -_FARTHEST, _FARTHEST, out=parts).astype(np.float32)
         result[np.isnan(result)] = UNDEFINED
         return read_only(result)
 

@@ -38,21 +38,28 @@ def _bases(count: int) -> tuple[FloatArray, FloatArray]:
     return read_only(values.astype(np.float32)), read_only(slopes.astype(np.float32))
 
 
-def surface_vertices(surface: ParametricSurface, grid: Grid) -> FloatArray:
+def surface_vertices(surface: ParametricSurface, grid: Grid, out: FloatArray | None = None) -> FloatArray:
     """Return positions and exact normals of a surface in unit space.
 
     The normals are those of the surface as it is shown, scaled to the axes box, and not of unit length: the
     shaders normalise them anyway. On the edges of a window they are the window's own.
 
+    Parameters
+    ----------
+    out : where they are written, (n, m, 6) float32; None for a new array, which is read-only
+
     Returns
     -------
-    (n, m, 6) float32, read-only: x, y, z, none of them beyond ``FARTHEST``, and the normal, indexed [iu, iv]
+    (n, m, 6) float32: x, y, z, none of them beyond ``FARTHEST``, and the normal, indexed [iu, iv]
     """
+    vertices = np.empty((*grid.shape, 6), dtype=np.float32) if out is None else out
     if isinstance(surface, Patch) and _is_in_sight(surface.coefficients):
-        return read_only(_patch_vertices(_drawn(surface, grid), grid))
-    u, v = parameters(surface, grid)
-    points = np.clip(surface.points(u, v), -FARTHEST, FARTHEST)
-    return read_only(np.concatenate([points, surface.normals(u, v)], axis=-1, dtype=np.float32))
+        _write_vertices(_drawn(surface, grid), grid, vertices)
+    else:
+        u, v = parameters(surface, grid)
+        vertices[..., :3] = np.clip(surface.points(u, v), -FARTHEST, FARTHEST)
+        vertices[..., 3:] = surface.normals(u, v)
+    return read_only(vertices) if out is None else out
 
 
 def revised_vertices(
@@ -96,8 +103,8 @@ def _is_in_sight(coefficients: Array) -> bool:
     return bool(np.abs(coefficients).max() <= FARTHEST)
 
 
-def _patch_vertices(patch: Patch, grid: Grid) -> FloatArray:
-    """Return the same for a patch, in single precision throughout: this is what every frame of a drag waits for."""
+def _write_vertices(patch: Patch, grid: Grid, vertices: FloatArray) -> None:
+    """Write the same of a patch, in single precision throughout: this is what every frame of a drag waits for."""
     in_v, in_slope_v = _curves_in_v(patch, grid)
     (n, m), width = grid.shape, in_v.shape[-1]
     points, su, sv = np.empty((3, n, width), dtype=np.float32)
@@ -108,12 +115,10 @@ def _patch_vertices(patch: Patch, grid: Grid) -> FloatArray:
         np.matmul(slopes, in_v[window], out=su[rows])
         np.matmul(values, in_slope_v[window], out=sv[rows])
     points, su, sv = (part.reshape(n, 3, m) for part in (points, su, sv))
-    vertices = np.empty((n, m, 6), dtype=np.float32)
     vertices[..., :3] = points.transpose(0, 2, 1)
     for k, (a, b) in enumerate(((1, 2), (2, 0), (0, 1))):
         np.subtract(su[:, a] * sv[:, b], su[:, b] * sv[:, a], out=vertices[..., 3 + k])
     _mend_normals(vertices[..., 3:], patch, grid)
-    return vertices
 
 
 def _curves_in_v(patch: Patch, grid: Grid) -> tuple[FloatArray, FloatArray]:

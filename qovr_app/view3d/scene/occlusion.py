@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from functools import lru_cache
+from types import EllipsisType
 
 import numpy as np
 import numpy.typing as npt
@@ -18,7 +19,7 @@ from qovr_app.view3d.scene.camera import Camera, Size
 from qovr_app.view3d.scene.grid import cell_corners
 from qovr_app.view3d.scene.picture import Picture
 from qovr_app.view3d.scene.scene import Scene
-from qovr_core.arrays import Array, Flags, read_only
+from qovr_core.arrays import Array, Flags, Indices, read_only
 
 _CELLS = 36
 """Cells a side, at least: the hidden parts of lines then end within a pixel or two of where the drawn surface
@@ -29,7 +30,7 @@ _IN_FRONT = 0.012
 visible."""
 
 
-_AT_ONCE = 500
+_AT_ONCE = 250
 """Marks that are looked up together: what is compared for them stays in the processor's cache."""
 
 _LONG, _STEP = 64, 4
@@ -121,15 +122,14 @@ class Occluder:
         marks = _seen(points, self._camera, self._size).T
         if len(points) <= _AT_ONCE:
             return read_only(self._hidden(marks))
-        parts = np.array_split(marks, max(1, len(points) // _AT_ONCE), axis=1)
+        parts = np.array_split(marks, -(-len(points) // _AT_ONCE), axis=1)
         return read_only(np.concatenate([self._hidden(part) for part in parts]))
 
     def _hidden(self, marks: Array) -> Flags:
         """Return which marks, (3, k) as seen, lie behind the surface."""
         result = np.zeros(marks.shape[1], dtype=bool)
         mark, block = np.nonzero(_within(marks[..., None], self._low[:, None], self._high[:, None]))
-        low, high = self._cell_low[:, block], self._cell_high[:, block]
-        pair, cell = np.nonzero(_within(marks[:, mark, None], low, high))
+        pair, cell = np.nonzero(_within(marks[:, mark, None], self._cell_low, self._cell_high, block))
         mark, block = mark[pair], block[pair]
         a, b, c, d = (corner[:, block, cell] for corner in self._corners)
         at = marks[:, mark]
@@ -154,10 +154,17 @@ def _in_blocks(corners: Array) -> Array:
     return blocks.reshape(3, n * m, math.prod(sides))
 
 
-def _within(at: Array, low: Array, high: Array) -> Flags:
-    """Return whether marks lie in rectangles on the screen and not certainly before what is in them."""
-    inside = (at[0] >= low[0]) & (at[0] <= high[0]) & (at[1] >= low[1]) & (at[1] <= high[1])
-    within: Flags = inside & (at[2] + _IN_FRONT < high[2])
+def _within(at: Array, low: Array, high: Array, rows: Indices | EllipsisType = ...) -> Flags:
+    """Return whether marks lie in rectangles on the screen and not certainly before what is in them.
+
+    Of the rectangles some rows are taken, one coordinate after the other: together they would be most of the memory
+    that a frame takes.
+    """
+    within: Flags = at[0] >= low[0][rows]
+    within &= at[0] <= high[0][rows]
+    within &= at[1] >= low[1][rows]
+    within &= at[1] <= high[1][rows]
+    within &= at[2] + _IN_FRONT < high[2][rows]
     return within
 
 
