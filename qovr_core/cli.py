@@ -58,8 +58,8 @@ def run(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
     notices = _Notices(logging.WARNING)
     LOGGER.addHandler(notices)
     try:
-        with interruptible():
-            return _exit_code(commands, argv)
+        with interruptible() as raise_interrupt:
+            return _exit_code(commands, argv, raise_interrupt)
     except Interrupted as interrupt:
         say("interrupted; no unfinished file is left")
         return SIGNALLED + interrupt.number
@@ -76,10 +76,10 @@ def _parser_of(commands: Mapping[str, AddCommand]) -> argparse.ArgumentParser:
     return parser
 
 
-def _exit_code(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
+def _exit_code(commands: Mapping[str, AddCommand], argv: Sequence[str], raise_interrupt: Callable[[], None]) -> int:
     """Run a command; whatever ends it is said in one line."""
     try:
-        code = _answer(commands, argv)
+        code = _answer(commands, argv, raise_interrupt)
         sys.stdout.flush()
     except BrokenPipeError:
         forsake(sys.stdout)  # the reader has gone, as in "qovr info ... | head": no error
@@ -102,7 +102,7 @@ def _exit_code(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
     return WRONG
 
 
-def _answer(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
+def _answer(commands: Mapping[str, AddCommand], argv: Sequence[str], raise_interrupt: Callable[[], None]) -> int:
     called = {name: commands[name] for name in argv[:1] if name in commands}
     try:
         arguments = _parser_of(called or commands).parse_args(argv)
@@ -110,6 +110,9 @@ def _answer(commands: Mapping[str, AddCommand], argv: Sequence[str]) -> int:
         return command(arguments)
     except SystemExit as end:  # after --help and --version
         return int(end.code or DONE)
+    except Exception:
+        raise_interrupt()
+        raise
 
 
 class _Notices(logging.Handler):

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, suppress
 from types import FrameType
-from typing import TextIO
+from typing import NoReturn, TextIO
 
 from qovr_core.errors import one_line
 
@@ -34,21 +34,21 @@ class Interrupted(KeyboardInterrupt):
 
 
 @contextmanager
-def interruptible() -> Iterator[None]:
+def interruptible() -> Iterator[Callable[[], None]]:
     """Let the first ending signal raise Interrupted, and no later one disturb the tidying up that follows.
 
     A signal that is ignored stays so, as Ctrl-C for what a shell runs in the background. Where Python passes no
-    exception on, as out of a finaliser, the signal comes again a moment later.
+    exception on, as out of a finaliser, the signal comes again a moment later. Libraries in C and C++ that call Python
+    may put an error of their own in its place: what is yielded raises Interrupted again where a signal has raised it.
     """
-    repeating = _Repeating()
+    interruption = _Interruption()
 
     def interrupt(number: int, frame: FrameType | None) -> None:
         if _is_within(frame, come_again):  # nor does Python pass one on from there: it comes once more
             return
-        repeating.is_taken = True
         for other in before:
             signal.signal(other, signal.SIG_IGN)
-        raise Interrupted(number)
+        interruption.take(number)
 
     def come_again(lost: sys.UnraisableHookArgs) -> None:
         if not isinstance(lost.exc_value, Interrupted):
@@ -56,7 +56,7 @@ def interruptible() -> Iterator[None]:
             return
         for other in before:
             signal.signal(other, interrupt)
-        repeating.start(lost.exc_value.number)
+        interruption.repeat(lost.exc_value.number)
 
     hook_before = sys.unraisablehook
     before = {
@@ -68,35 +68,44 @@ def interruptible() -> Iterator[None]:
         sys.unraisablehook = come_again
         for number in before:
             signal.signal(number, interrupt)
-        yield
+        yield interruption.raise_again
     finally:
-        repeating.end()  # so that none comes when the signals are others' again
+        interruption.end()  # so that none comes when the signals are others' again
         sys.unraisablehook = hook_before
         for number, handler in before.items():
             signal.signal(number, handler)
 
 
-class _Repeating:
-    """A signal that comes again and again until it is taken."""
+class _Interruption:
+    """A signal that has been raised, or comes again and again until it is taken."""
 
     def __init__(self) -> None:
-        self.is_taken = True
+        self._is_taken = True
+        self._raised: Interrupted | None = None
         self._threads: list[threading.Thread] = []
 
-    def start(self, number: int) -> None:
-        self.is_taken = False
+    def take(self, number: int) -> NoReturn:
+        self._is_taken, self._raised = True, Interrupted(number)
+        raise self._raised
+
+    def raise_again(self) -> None:
+        if self._raised is not None:
+            raise self._raised
+
+    def repeat(self, number: int) -> None:
+        self._is_taken, self._raised = False, None
         self._threads.append(threading.Thread(target=self._repeat, args=(number,)))
         self._threads[-1].start()
 
     def end(self) -> None:
-        self.is_taken = True
+        self._is_taken = True
         for thread in self._threads:
             thread.join()
 
     def _repeat(self, number: int) -> None:
-        while not self.is_taken:
+        while not self._is_taken:
             time.sleep(_MOMENT)
-            if not self.is_taken:
+            if not self._is_taken:
                 _signal_main_thread(number)
 
 

@@ -147,6 +147,30 @@ def test_a_signal_in_a_finaliser_is_not_lost(moment):
     assert (run.stdout, run.stderr) == (f"{int(signal.SIGTERM)}\n", "")
 
 
+DISGUISED = """
+import signal, sys
+from qovr_core.cli import run
+
+def disguised(arguments):
+    try:
+        signal.raise_signal(signal.SIGTERM)
+    except KeyboardInterrupt:
+        raise ValueError("as what calls Python out of C++ may have it")
+
+def add_command(commands):
+    commands.add_parser("disguised").set_defaults(command=disguised)
+
+sys.exit(run({"disguised": add_command}, ["disguised"]))
+"""
+
+
+@posix
+def test_a_signal_in_whose_place_another_error_is_raised_is_told():
+    command = [sys.executable, "-c", DISGUISED]
+    run = subprocess.run(command, check=False, env=environment(), capture_output=True, text=True, timeout=40)
+    assert (run.returncode, run.stderr) == (128 + signal.SIGTERM, "qovr: interrupted; no unfinished file is left\n")
+
+
 COMMANDS = (
     ("figures", ".", "--only", "fig5a,fig8b", "--dpi", "40"),
     ("export", "paper:fig5", "a.csv", "a.xlsx", "a.step", "--samples", "60"),

@@ -13,6 +13,16 @@ def _one_sample_a_pixel(monkeypatch):
     monkeypatch.setattr(buffer, "_SAMPLES", 0)
 
 
+@pytest.fixture(autouse=True, scope="module")
+def _keys_follow_each_other():
+    """Have keys pressed one after the other be one movement of the hand, however long a loaded machine takes."""
+    from qovr_app.widgets import bursts
+
+    with pytest.MonkeyPatch.context() as monkeypatch:
+        monkeypatch.setattr(bursts, "_PAUSE_MILLISECONDS", 60_000)
+        yield
+
+
 @pytest.fixture
 def home(tmp_path, monkeypatch):
     """A folder of the test's own for settings, recovery files and everything that is written."""
