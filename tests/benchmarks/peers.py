@@ -1,7 +1,9 @@
 """Other programs' views of a document's samples, in which a point of the net is moved as in ours."""
 
+import contextlib
 import subprocess
 import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -117,7 +119,8 @@ class PyVista:
     def __init__(self, size, antialiasing="none"):
         pytest.importorskip("pyvista", reason="PyVista is not installed: .venv/bin/pip install --group peers")
         call = [sys.executable, "-m", "benchmarks.pyvista_peer", str(size), antialiasing]
-        self.process = subprocess.Popen(call, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        tests = Path(__file__).parents[1]
+        self.process = subprocess.Popen(call, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, cwd=tests)
         self.edit()
 
     def edit(self):
@@ -128,9 +131,11 @@ class PyVista:
         except BrokenPipeError:
             pass
         if not self.process.stdout.readline():
-            pytest.skip(f"PyVista draws nothing here: it ended with {self.process.wait()}")
+            self.close()
+            pytest.skip(f"PyVista draws nothing here: it ended with {self.process.returncode}")
 
     def close(self):
-        self.process.stdin.close()
+        with contextlib.suppress(BrokenPipeError):
+            self.process.stdin.close()
         self.process.wait()
         self.process.stdout.close()
