@@ -50,6 +50,14 @@ def colour_at() -> Callable[..., tuple[int, int, int]]:
     return _colour_at
 
 
+@pytest.fixture(params=["opengl", "painter"])
+def renderer(request: pytest.FixtureRequest) -> str:
+    """Both ways of drawing."""
+    if request.param == "painter":
+        request.getfixturevalue("no_opengl")
+    return request.param
+
+
 class Owner:
     """Holds a document, moves its points as the view asks, and remembers every intent."""
 

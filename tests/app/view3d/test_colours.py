@@ -24,14 +24,6 @@ BARE = {
 FIELDS_BY = ["gaussian", "mean", "largest", "smallest", "distance"]
 
 
-@pytest.fixture(params=["opengl", "painter"])
-def renderer(request):
-    """Both ways of drawing."""
-    if request.param == "painter":
-        request.getfixturevalue("no_opengl")
-    return request.param
-
-
 @pytest.fixture
 def reference(document):
     return Evaluation(set_point(document, 2, 2, (2.0, 2.0, 0.6))).patch

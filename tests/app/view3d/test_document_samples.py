@@ -20,14 +20,6 @@ INSIDE = np.array([[0.2, 0.2], [0.75, 0.15], [0.8, 0.8], [0.2, 0.75], [0.55, 0.4
 """Places in a cell, none of them near a side or the diagonal."""
 
 
-@pytest.fixture(params=["opengl", "painter"])
-def renderer(request):
-    """Both ways of drawing."""
-    if request.param == "painter":
-        request.getfixturevalue("no_opengl")
-    return request.param
-
-
 @pytest.fixture
 def cell_colours(expected_pixel, colour_at):
     """A function that returns the colours seen at places inside a cell between samples (2, 2, 3), (k, 3)."""

@@ -20,14 +20,6 @@ PLAIN = {
 }
 
 
-@pytest.fixture(params=["opengl", "painter"])
-def renderer(request):
-    """Both ways of drawing."""
-    if request.param == "painter":
-        request.getfixturevalue("no_opengl")
-    return request.param
-
-
 @pytest.fixture
 def seen_colour(expected_pixel, colour_at):
     """A function that returns the colour an image has where a point of the document belongs."""

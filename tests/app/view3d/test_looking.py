@@ -22,14 +22,6 @@ LEFT = Qt.MouseButton.LeftButton
 BARE = {"control_points": False, "labels": False, "control_net": False, "parameter_lines": False, "axes": False}
 
 
-@pytest.fixture(params=["opengl", "painter"])
-def renderer(request):
-    """Both ways of drawing."""
-    if request.param == "painter":
-        request.getfixturevalue("no_opengl")
-    return request.param
-
-
 def end_at(view, axis, is_high):
     """Return the pixel of an end of an axis in the corner: along where the camera sees the axis point."""
     right, up, _ = view.camera.axes
